@@ -1,4 +1,5 @@
-// pelage-bench-lod: measures the level of detail of pictures of strands (docs/level-of-detail.md).
+// pelage-bench-lod: measures the level of detail of pictures of strands (docs/strands.md, section "Level of
+// detail").
 //
 // 1. The change of the mean coverage of the picture with 50, 25 and 10% of the strands, relative to all
 //    strands, at the distance at which the dolly has this fraction, and at the distance 1, where the object

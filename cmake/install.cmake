@@ -1,4 +1,4 @@
-# Files that `cmake --install` and `cpack -G DEB` install (docs/install.md). The installed program finds its data by
+# Files that `cmake --install` and `cpack -G DEB` install (docs/machines.md). The installed program finds its data by
 # paths relative to its own folder (harness/data_folder.hpp), so that the installation may be moved.
 install(TARGETS pelage)
 install(TARGETS pelage_image_module DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelage)
@@ -21,8 +21,8 @@ install(FILES ${PROJECT_BINARY_DIR}/pelage.bash RENAME pelage
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The pelage maintainers")
 set(CPACK_PACKAGE_DESCRIPTION "${PROJECT_DESCRIPTION}.
-pelage times published systems for layered fur and mass-spring grass on OpenCL devices, and checks every timed picture
-against a reference in double precision. The Python package pelage reads the results as pandas data frames.")
+pelage times published systems for fur and grass (shells, wet fur, strands, mass-springs) on OpenCL devices, and checks
+every timed picture against a reference in double precision. The Python package pelage reads the results as pandas data frames.")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

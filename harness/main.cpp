@@ -43,11 +43,10 @@ std::string version() {
       "pelage {} ({}{}, {})\n"
       "GPL-3.0-or-later\n"
       "To cite it, name the version and the revision: \"pelage: an OpenCL research benchmark harness for "
-      "real-time "
-      "layered fur, version {}, revision {}\";\nCITATION.cff contains this citation for reference managers. "
-      "Also cite "
-      "the papers "
-      "whose systems you timed; the report's references.bib lists them.",
+      "real-time fur and "
+      "grass, version {}, revision {}\";\nCITATION.cff contains this citation for reference managers. Also "
+      "cite the "
+      "papers whose systems you timed; the report's references.bib lists them.",
       build.version, build.revision, build.dirty ? ", modified" : "", build.compiler, build.version,
       build.revision.substr(0, 12));
 }
@@ -79,7 +78,8 @@ int main(int argc, char** argv) {
   // Each line of stdout is written at once, also into a pipe. In `pelage report ... 2>&1 | less`, a message
   // on stderr therefore never interrupts a line of stdout.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  CLI::App app("An OpenCL research benchmark harness for real-time layered fur", "pelage");
+  CLI::App app("Times real-time fur and grass on OpenCL devices: shells, wet fur, strands and mass-springs",
+               "pelage");
   app.set_version_flag("--version", version, "Print the version and how to cite it");
   std::string kernels;
   app.add_option("--kernels", kernels, "Folder of OpenCL kernels to use instead of pelage's own")

@@ -4,7 +4,7 @@
 usage: scripts/figure_sheets.py RUN OUT     RUN is the folder of `pelage run figures`, OUT a new folder
        scripts/figure_sheets.py --list      prints the cases and diagrams that the pages show
 
-The script copies the pictures of the cases from RUN and draws the diagrams with `pelage diagram`. docs/figures.md lists
+The script copies the pictures of the cases from RUN and draws the diagrams with `pelage diagram`. docs/experiments.md lists
 the figures. The environment variable PELAGE can name another pelage program.
 """
 import html

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times the cases of Table 1 of Silva et al. 2010 on this machine. The script then overwrites three things with the
-# new results: the recorded rows in results/silva2010-table1/, the folder docs/table1/, and the lines of README.md
-# between the comments "table1 begins" and "table1 ends". Usage: scripts/record.sh [options of pelage run].
+# new results: the recorded rows in results/silva2010-table1/, the folder results/tables/table1/, and the tables that
+# scripts/recorded_tables.py writes. Usage: scripts/record.sh [options of pelage run].
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found; it makes the sheet of models: install openimageio-tools" >&2; exit 2; }
@@ -13,11 +13,11 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p results/silva2010-table1
 cp "$work"/run/silva2010-table1/*.jsonl results/silva2010-table1/
 "$pelage" report "$work/run" -o "$work/report" | sed 's/[[:blank:]]*$//' >"$work/table"
-rm -rf docs/table1
-mkdir -p docs/table1
+rm -rf results/tables/table1
+mkdir -p results/tables/table1
 cp "$work"/report/tables/silva2010-table1.{csv,tex} "$work"/report/plots/silva2010-table1-frame-time.{svg,pdf,py,csv,json} \
-   docs/table1/
-sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >docs/table1/provenance.txt
+   results/tables/table1/
+sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >results/tables/table1/provenance.txt
 
 # Combines the pictures of the eight models in two rows of four.
 models="torus pear hippo cow horse bunny elephant lion"
@@ -29,7 +29,7 @@ for model in $models; do
   oiiotool "$work/one.png" "$work/sheet.png" --paste "+$((i % 4 * 400))+$((i / 4 * 300))" -o "$work/sheet.png"
   i=$((i + 1))
 done
-oiiotool "$work/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/table1/models.jpg
+oiiotool "$work/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o results/tables/table1/models.jpg
 
 # Computes the covered fragments per second of every case from the recorded rows.
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
@@ -37,11 +37,6 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
            rate = $at["covered_fragments"] / $at["median_ms"] * 1e-6
            if (!n || rate < low) low = rate; if (rate > high) high = rate; sum += log(rate); ++n }
          END { printf "%d cells; covered fragments (of all layers, visible or not) per second: %.3f to %.3f G, geometric mean %.3f G.\n", n, low, high, exp(sum / n) }' \
-  docs/table1/silva2010-table1.csv >"$work/rate"
-
-awk -v table="$work/table" -v rate="$work/rate" '
-  /<!-- table1 begins/ { print; print "```"; while ((getline line < table) > 0) print line; print "```"; print ""
-                         while ((getline line < rate) > 0) print line; skipping = 1; next }
-  /<!-- table1 ends/ { skipping = 0 }
-  !skipping { print }' README.md >"$work/README.md"
-cp "$work/README.md" README.md
+  results/tables/table1/silva2010-table1.csv >"$work/rate"
+{ cat "$work/table"; echo; cat "$work/rate"; } >results/tables/table1/report.txt
+scripts/recorded_tables.py

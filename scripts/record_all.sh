@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Records the results of this machine that results/ holds: runs all experiments whose rows the documents and the claims
-# use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/rivals-avx2, docs/effects, docs/scaling,
-# docs/strands, docs/roofline, the table of README.md, the verdicts in docs/claims.md and the figures in the documents
-# (scripts/figures.py). The machine must run nothing else. The script takes about four hours on two cores.
+# use, and then writes the rows, tables and plots in results/, the verdicts in results/claims.md, and the tables that
+# scripts/recorded_tables.py writes. The machine must run nothing else. The script takes about four hours on two cores.
 #
 # Usage: scripts/record_all.sh FOLDER
 # FOLDER receives the runs. If the script is stopped, the same command continues after the last complete part.
@@ -68,14 +67,16 @@ part roofline-strands "$PELAGE" roofline demoreuille2011-scaling --filter '^bunn
 rm -rf results/wetfur2010-table1
 cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
-scripts/record_report.sh docs/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
-scripts/record_report.sh docs/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
-ROWS=results/avx2 scripts/record_report.sh docs/rivals-avx2 "$runs/avx2"
-scripts/record_report.sh docs/effects "$runs"/{overheads,readings,depth}
-scripts/record_report.sh docs/strands "$runs"/{strands,ways}
+scripts/record_report.sh results/tables/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
+scripts/record_report.sh results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
+ROWS=results/avx2 scripts/record_report.sh results/tables/rivals-avx2 "$runs/avx2"
+scripts/record_report.sh results/tables/effects "$runs"/{overheads,readings,depth}
+scripts/record_report.sh results/tables/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"
-scripts/record_report.sh docs/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
-cp "$runs"/roofline/roofline.{csv,svg,pdf} docs/roofline/
-for end in csv svg pdf; do cp "$runs/roofline-strands/roofline.$end" "docs/roofline/strands.$end"; done
-scripts/claims_table.py "$PELAGE"
-scripts/figures.py
+scripts/record_report.sh results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
+cp "$runs"/roofline/roofline.{csv,svg,pdf} results/tables/roofline/
+for end in csv svg pdf; do cp "$runs/roofline-strands/roofline.$end" "results/tables/roofline/strands.$end"; done
+verdicts=$("$PELAGE" claims results --markdown)
+head=$(sed '/^| claim /,$d' results/claims.md)
+printf '%s\n\n%s\n' "$head" "$verdicts" >results/claims.md
+scripts/recorded_tables.py

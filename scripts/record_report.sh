@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# Records results of a machine: copies the rows to results/ and writes tables, charts and claims to FOLDER in docs/.
+# Records results of a machine: copies the rows to results/ and writes tables, charts and claims to FOLDER, such as
+# results/tables/rivals.
 # Usage: scripts/record_report.sh FOLDER RESULTS... Each RESULTS is a folder that `pelage run` wrote.
 # The script first deletes FOLDER. The environment variable ROWS can name another folder than results/ for the rows.
 #
 # scripts/record_all.sh contains the commands that recorded results/, and calls this script.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-(($# > 1)) || { sed -n 's/^# //p' "$0" | head -2 >&2; exit 2; }
+(($# > 1)) || { sed -n 's/^# //p' "$0" | head -3 >&2; exit 2; }
 pelage=${PELAGE:-build/release/pelage}
-docs=$1
+tables=$1
 rows_in=${ROWS:-results}
 shift
 work=$(mktemp -d)
@@ -31,10 +32,10 @@ for folder in "$@"; do
     cp "$rows" "$place/$name$([[ $part = 1 ]] || echo "-$part").jsonl"
   done
 done
-rm -rf "$docs"
-mkdir -p "$docs"
-cp "$work"/report/plots/*.{svg,pdf} "$docs/"
-find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$docs/" \;
-rm -f "$docs/all-phases.csv" # not recorded, because it can be rebuilt from the rows
-sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$docs/provenance.txt"
-cp "$work/report.txt" "$docs/report.txt"
+rm -rf "$tables"
+mkdir -p "$tables"
+cp "$work"/report/plots/*.{svg,pdf} "$tables/"
+find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$tables/" \;
+rm -f "$tables/all-phases.csv" # not recorded, because it can be rebuilt from the rows
+sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$tables/provenance.txt"
+cp "$work/report.txt" "$tables/report.txt"

@@ -1,10 +1,38 @@
-"""Functions that read the tables of the recorded results in docs/."""
+#!/usr/bin/env python3
+"""Writes the tables that documents show of the recorded results, from the CSV files in results/tables.
+
+  scripts/recorded_tables.py           writes results/README.md and the frame rates in README.md
+  scripts/recorded_tables.py --check   writes nothing; prints what differs and fails if anything does. The test
+                                       house.Figures runs this command.
+"""
 import csv
+import json
 import math
+import re
+import statistics
+import sys
+import tomllib
 from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "results/README.md"
+README = ROOT / "README.md"
+BEGIN, END = "<!-- frame rates begin: scripts/recorded_tables.py writes them -->\n", "<!-- frame rates end -->\n"
+MODELS = ("torus", "bunny", "elephant", "lion")  # in README.md
+SCENES = [(model, layers) for model in ("torus", "bunny", "lion") for layers in (16, 64)]
+TOPOLOGIES = ("sticks", "prisms", "separable-sticks", "separable-prisms")
+SOLVERS = ("explicit-euler", "semi-implicit-euler", "rk4", "backward-euler")
+# The baselines of the mass-spring solvers: a column, and whether the column contains a baseline of this name.
+BASELINES = {
+    "serial, -O3": lambda name: name == "serial-o3",
+    "serial, fast": lambda name: name == "serial-fast",
+    "two threads, fast": lambda name: name == "parallel-fast-2",
+    "serial, -O3, double": lambda name: name == "serial-o3-double",
+    "serial, fast, double": lambda name: name == "serial-fast-double",
+    "Eigen": lambda name: name.startswith("eigen") and name.endswith("-1"),
+    "Eigen, two threads": lambda name: name.startswith("eigen") and name.endswith("-2"),
+}
 
 
 def table(name):
@@ -14,20 +42,14 @@ def table(name):
             return float(text)
         except ValueError:
             return text
-    with (ROOT / "docs" / name).open(newline="", encoding="utf-8") as file:
+    with (ROOT / "results/tables" / name).open(newline="", encoding="utf-8") as file:
         rows = [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
     return [row for row in rows if row.get("status", "ok") == "ok"]
 
 
 def mean(values):
     """Returns the geometric mean."""
-    values = list(values)
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
-def median(values):
-    values = sorted(values)
-    return (values[(len(values) - 1) // 2] + values[len(values) // 2]) / 2
+    return math.exp(statistics.fmean(map(math.log, values)))
 
 
 def by(rows, *keys):
@@ -38,7 +60,262 @@ def by(rows, *keys):
     return groups
 
 
-def ends(values, form):
+def span(values, form):
     """Returns the smallest and the largest value as text."""
     values = list(values)
-    return {"least": format(min(values), form), "most": format(max(values), form)}
+    form = form if callable(form) else lambda value, form=form: format(value, form)
+    least, most = form(min(values)), form(max(values))
+    return least if least == most else f"{least} to {most}"
+
+
+def interval(row, name):
+    return f"{row[name]:.2f} [{row[name + '_low']:.2f}, {row[name + '_high']:.2f}]"
+
+
+def markdown(columns, rows):
+    lines = [columns, ["---"] * len(columns), *rows]
+    return "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines)
+
+
+def three(value):
+    """Returns a number with three significant digits, without an exponent."""
+    return f"{value:#.3g}".rstrip(".") if value < 999.5 else f"{value:.0f}"
+
+
+def published(row):
+    sign = row["paper_relation"].strip("'=")
+    return f"{sign} {row['paper_fps']:.0f}".strip()
+
+
+def table1_rows(sizes, models=None):
+    cells = by((row for row in table("table1/silva2010-table1.csv") if row["reading"] == "default"), "model")
+    return [[f"{model}, {rows[0]['triangles']:.0f} triangles"] + [
+        text for row in sorted(rows, key=lambda row: (row["layers"], int(row["size"].split("x")[0])))
+        if row["size"] in sizes for text in (published(row), three(row["fps"]))]
+        for (model,), rows in cells.items() if not models or model in models]
+
+
+def table1():
+    yield "Table 1", (
+        "Frames per second by the paper's GeForce 8800 GTS and by our kernels. The report is in "
+        "`results/tables/table1`."), markdown(
+        ["model"] + [f"{layers} layers, {size}, {who}" for layers in (16, 64) for size in ("800x600", "1680x1050")
+                     for who in ("paper", "ours")], table1_rows(["800x600", "1680x1050"]))
+
+
+def ratio_row(label, rows):
+    rows = sorted(rows, key=lambda row: row["opengl_ratio"])
+
+    def cell(row):
+        units = {"layers": "layers", "count": "strands"}
+        place = ", ".join(f"{row[key]:.0f} {unit}" for key, unit in units.items() if key in row)
+        return f"{row['opengl_ratio']:.1f} ({row['model']}, {place}, {row['size']})"
+    return [label, len(rows), f"{mean(row['opengl_ratio'] for row in rows):.2f}", cell(rows[0]), cell(rows[-1])]
+
+
+def opengl():
+    strongest = "strongest variant of the baseline"
+    rows = [(label, table(name)) for label, name in (
+        ("Table 1", "rivals/rivals-ratio.csv"), (f"Table 1, {strongest}", "rivals/rivals-strongest-ratio.csv"),
+        ("Table 1, without AVX-512", "rivals-avx2/rivals-ratio.csv"),
+        (f"Table 1, without AVX-512, {strongest}", "rivals-avx2/rivals-strongest-ratio.csv"))]
+    tori = by(table("rivals/rivals-tori-ratio.csv"), "reading")
+    rows += [("two tori, curls and clumps", tori["default",]), ("two tori, plain shells", tori["plain",]),
+             ("strands", table("strands/demoreuille2011-scaling-ratio.csv"))]
+    yield "OpenGL baseline", (
+        "Frame time of the OpenGL baseline (llvmpipe on the same processor) / frame time of our kernels "
+        "(`docs/baselines.md`)."), markdown(
+        ["scene", "cells", "geometric mean", "lowest ratio", "highest ratio"], [ratio_row(*row) for row in rows])
+    [(low, high)] = re.findall(r"over 32 of 32 cells \(95% interval ([\d.]+) to ([\d.]+) over 3 separate runs\)",
+                               (ROOT / "results/tables/rivals/rivals-ratio.txt").read_text(encoding="utf-8"))
+    yield None, f"The 95% interval of the mean in the first line is {low} to {high}.", ""
+    yield None, "Geometric mean of the ratio by model (Table 1):", markdown(["model", "ratio"], [
+        [model, f"{mean(row['opengl_ratio'] for row in some):.1f}"]
+        for (model,), some in by(table("rivals/rivals-ratio.csv"), "model").items()])
+
+
+def options():
+    [file] = (ROOT / "results/rival-options").glob("*.jsonl")
+    psnr = {}
+    for row in map(json.loads, file.read_text(encoding="utf-8").splitlines()):
+        for check in row["check"]:
+            if check["metric"] == "psnr":
+                psnr[row["variant"], row["axes"]["layers"]] = f"{check['value']:.0f}"
+    times = {row["variant"]: f"{row['by_fastest']:.2f}" for row in table("rivals/rival-options.csv")}
+    names = sorted({name for name, _ in psnr}, key=lambda name: (times.get(name, "9"), name))
+    yield "Variants of the OpenGL baseline", (
+        "Frame time / frame time of the fastest variant, and PSNR (dB) against the reference (experiment "
+        "rival-options)."), markdown(
+        ["variant", "time", "16 layers", "64 layers"],
+        [[name, times.get(name, "picture differs"), psnr.get((name, 16), ""), psnr.get((name, 64), "")] for name in names])
+
+
+def wall_ratios(row, fits):
+    return [value for key, value in row.items() if key.endswith("_ratio") and not key.endswith("_processor_ratio")
+            and value != "" and fits(key.removesuffix("_ratio"))]
+
+
+def springs():
+    rows = table("topology/topology-steps.csv")
+    lines = []
+    for (model,), some in by(rows, "model").items():
+        cells = [[ratio for row in some for ratio in wall_ratios(row, fits)] for fits in BASELINES.values()]
+        lines.append([f"{model}, all", "all"] + [span(found, three) if found else "" for found in cells])
+    for row in sorted((row for row in rows if row["model"] == "bunny"), key=lambda row: SOLVERS.index(row["variant"])):
+        cells = [wall_ratios(row, fits) for fits in BASELINES.values()]
+        lines.append([f"bunny, {row['dynamics.topology']}", f"{row['variant']}, {row['substeps']:.0f} steps"]
+                     + [three(min(found)) if found else "" for found in cells])
+    yield "Mass-spring baselines", (
+        "Time of a baseline / time of our kernels for the time steps of one frame (experiment topology-steps). Of "
+        "Eigen's solvers the fastest counts."), markdown(
+        ["model, topology", "solver", *BASELINES], lines)
+
+
+def networks():
+    cells = by(table("topology/topology-table1.csv"), "dynamics.topology")
+    silva = {(row["model"], row["layers"], row["size"]): row["median_ms"] for row in cells["silva",]}
+    steps = by(table("topology/banisch2006-longest-step.csv"), "dynamics.topology", "dynamics.solver", "reading")
+    yield "Mass-spring topologies", (
+        "The 32 cells of Table 1 (experiment topology-table1), and the longest stable time steps in ms "
+        "(experiment banisch2006-longest-step)."), markdown(
+        ["topology", "simulation (ms)", "largest share of the frame", "frame time / frame with S's strands",
+         *(f"{solver}, {reading[1:]} N/m" for solver in ("explicit-euler", "backward-euler") for reading in ("k10", "k1000"))],
+        [[kind, span((row["simulate_ms"] for row in rows), ".2f"),
+          f"{100 * max(row['simulate_ms'] / row['median_ms'] for row in rows):.1f}%",
+          f"{mean(row['median_ms'] / silva[row['model'], row['layers'], row['size']] for row in rows):.2f}",
+          *(span((row["longest_step_ms"] for row in steps.get((kind, solver, reading), [])), three)
+            if (kind, solver, reading) in steps else ""
+            for solver in ("explicit-euler", "backward-euler") for reading in ("k10", "k1000"))]
+         for (kind,), rows in cells.items()])
+    yield "Solvers at equal error", (
+        "Time / time of semi-implicit Euler, by topology and permitted rms error in fur lengths (experiment "
+        "topology-equal-error)."), markdown(
+        ["topology", "error", "explicit-euler", "rk4", "backward-euler"],
+        [[row["dynamics.topology"], f"{row['dynamics.tolerance']:g}",
+          *(interval(row, solver + "_ratio") for solver in ("explicit-euler", "rk4", "backward-euler"))]
+         for row in table("topology/topology-equal-error.csv")])
+    yield "Full and pruned Jacobian", (
+        "Error of backward Euler in fur lengths (experiment topology-jacobian)."), markdown(
+        ["topology", "time step (ms)", "full, rms", "pruned, rms", "full, p99", "pruned, p99"],
+        [[row["dynamics.topology"], f"{row['step_ms']:.3g}", *(f"{row[key]:.2g}" for key in (
+            "full_error_rms", "pruned_error_rms", "full_error_p99", "pruned_error_p99"))]
+         for row in table("topology/topology-jacobian.csv")])
+    yield "Gaps", (
+        "Median gap between the tops of the separate sticks at one vertex, in fur lengths (experiment "
+        "topology-parting)."), markdown(
+        ["topology", "gusts at", "gap"], [[row["dynamics.topology"], row["dynamics.wind.gust_at"], f"{row['gap_median']:.2f}"]
+                                          for row in table("topology/topology-parting.csv")])
+    yield "Iterations", (
+        "Iterations of conjugate gradients over nine models, by the constants of the springs (experiment "
+        "topology-mesh-scaling)."), markdown(
+        ["constants", "iterations"], [[reading, span((row["iterations"] for row in rows), ".0f")]
+                                      for (reading,), rows in by(table("topology/topology-mesh-scaling.csv"), "reading").items()])
+
+
+def reading(switch):
+    """Returns the scene key, with its value, that a value of the axis `switch` changes."""
+    with (ROOT / "experiments/readings.toml").open("rb") as file:
+        [(group, keys)] = tomllib.load(file)["switch"][switch].items()
+    [(key, value)] = keys.items()
+    return f"`{group}.{key} = {json.dumps(value)}`"
+
+
+def effects():
+    rows = by(table("effects/overheads.csv"), "reading", "model", "layers")
+    kinds = list(dict.fromkeys(key[0] for key in rows))
+    yield "Effects", (
+        "Frame time with an effect / frame time of plain shells at 800x600 (experiment overheads)."), markdown(
+        ["effect"] + [f"{model}, {layers} layers" for model, layers in SCENES],
+        [[kind] + [interval(rows[kind, model, layers][0], "baseline_ratio") for model, layers in SCENES] for kind in kinds])
+    yield "Readings", (
+        "Frame time with another reading of the papers / frame time with the default, and the two pictures "
+        "compared (experiment readings)."), markdown(
+        ["reading", "time", "PSNR (dB)", "SSIM"],
+        [[reading(row["switch"]), interval(row, "baseline_ratio"), f"{row['baseline_psnr']:.1f}", f"{row['baseline_ssim']:.3f}"]
+         for row in table("effects/readings.csv") if row["with"] == "default" and row["switch"] != "default"])
+
+
+def scaling():
+    rows = [row for row in table("scaling/layers-ratios.csv") if row["layers"] == 64]
+    yield "Layers and scaling", (
+        "Frame time with 64 layers / frame time with fewer, drawn in turns (experiment layers), and the model "
+        "that `pelage report` fits to the experiment scaling."), markdown(
+        ["divisor", "ratio"], [["32 layers", span((row["half_ratio"] for row in rows), ".2f")],
+                               ["16 layers", span((row["quarter_ratio"] for row in rows), ".2f")]])
+    text = (ROOT / "results/tables/scaling/scaling.txt").read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if re.search(r"^(  per|\d+ cases|ms =|Most memory)", line)]
+    yield None, "", "```\n" + "\n".join(lines) + "\n```\n"
+    shares = by((row for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells"), "case")
+    yield "The kernel `tile_shells`", (
+        "Share of the frame time, and rate of operations / roof of the device (`pelage roofline`)."), markdown(
+        ["case", "share", "of roof"], [[case, f"{100 * row['ms'] / row['frame_ms']:.0f}%", f"{100 * row['share_of_roof']:.0f}%"]
+                                       for (case,), [row] in shares.items()])
+
+
+def strands():
+    yield "One coat as layers and as strands", (
+        "Experiment shells-vs-strands; the rays are a ray-cast picture of the strands."), markdown(
+        ["variant", "distance", "frame (ms)", "overdraw", "PSNR to rays (dB)", "simulation (ns a segment)"],
+        [[row["variant"], row["distance"], *(f"{row[key]:.1f}" for key in (
+            "median_ms", "overdraw", "raycast_coarse_psnr", "simulate_ns_per_segment"))]
+         for row in table("strands/shells-vs-strands.csv")])
+    yield "Ways to draw strands with OpenGL", (
+        "Frame time of the baseline in ms (experiment strands-opengl-ways)."), markdown(
+        ["way", "strands", "size", "time"], [[row["variant"], f"{row['count']:.0f}", row["size"], three(row['opengl_ms'])]
+                                             for row in table("strands/strands-opengl-ways-ratio.csv")])
+
+
+def trials():
+    verdicts = by(table("aa-test/trials.csv"), "side", "verdict")
+    sides = {side: sum(len(rows) for (s, _), rows in verdicts.items() if s == side) for side in ("equal", "slower")}
+    wrong = sum(len(verdicts["equal", verdict]) for verdict in ("faster", "slower"))
+    yield "Verdicts of `pelage compare`", "What `pelage aa-test` counted.", markdown(
+        ["sides", "comparisons", "called different"],
+        [["equal", sides["equal"], wrong], ["5% more work", sides["slower"], len(verdicts["slower", "slower"])]])
+
+
+INTRODUCTION = """# Recorded results
+
+A virtual machine with two AMD EPYC cores and no GPU recorded these results (OpenCL by PoCL, OpenGL by llvmpipe).
+`scripts/record_all.sh` records them again, and `scripts/recorded_tables.py` writes this page; a test compares the page
+with the tables. The rows are in one folder per experiment, `results/tables` holds the tables and plots that
+`pelage report` made of them, [claims.md](claims.md) the verdicts on the papers' claims, and [notes.md](notes.md) what
+was tried to make the kernels faster. Numbers in square brackets are 95% intervals. [The glossary](../docs/glossary.md)
+defines the terms.
+"""
+
+
+def page():
+    text = INTRODUCTION
+    for section in (table1, opengl, options, strands, springs, networks, effects, scaling, trials):
+        for title, sentence, body in section():
+            text += "".join(f"\n{part}\n" if part != body else f"\n{part}" for part in (
+                f"## {title}" if title else "", sentence, body) if part)
+    return text
+
+
+def frame_rates():
+    return "\n" + markdown(["model"] + [f"{layers} layers, {who}" for layers in (16, 64) for who in ("paper", "ours")],
+                           table1_rows(["800x600"], MODELS)) + "\n"
+
+
+def replaced(text, begin, end, inner):
+    before, rest = text.split(begin)
+    return before + begin + inner + end + rest.split(end)[1]
+
+
+def main():
+    if sys.argv[1:] not in ([], ["--check"]):
+        sys.exit(__doc__)
+    wanted = {PAGE: page(), README: replaced(README.read_text(encoding="utf-8"), BEGIN, END, frame_rates())}
+    stale = [path for path, text in wanted.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
+    if not sys.argv[1:]:
+        for path in stale:
+            path.write_text(wanted[path], encoding="utf-8")
+    elif stale:
+        sys.exit("\n".join(f"{path.relative_to(ROOT)} differs from results/tables: run scripts/recorded_tables.py"
+                           for path in stale))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the maps of the example scene style.toml: python3 scripts/style_maps.py examples
 
-The maps (docs/style.md) are grey pictures in the UV space of the torus, where u runs around the axis and v around the
+The maps (docs/shells.md, section 8) are grey pictures in the UV space of the torus, where u runs around the axis and v around the
 tube. They repeat in u and v. The same arguments give the same files."""
 import math
 import pathlib

@@ -1,4 +1,4 @@
-// Colliders that push the layers (docs/contact.md). The host defines CONTACT with the number of spheres and capsules, and
+// Colliders that push the layers (docs/shells.md, section 9). The host defines CONTACT with the number of spheres and capsules, and
 // CONTACT_MESH if there is a mesh among the colliders. harness/shells/opengl/contact.cpp sets the uniforms.
 #ifdef CONTACT
 uniform vec4 collider_from[CONTACT + 1];  // one end of a capsule's axis, and the radius; radius 0: no collider at this time

@@ -1,4 +1,4 @@
-// Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/frame.md, section 6). S = Silva et al.
+// Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/shells.md, section 6). S = Silva et al.
 // 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al. 2010, Real-Time Rendering of Wet Fur.
 // The host puts the constants, shaders/layers.glsl and shaders/light.glsl before this file.
 #define CLUMP_RELATIVE 0
@@ -93,7 +93,7 @@ float border_share(float depth, vec2 d, float per_footprint) {
   return max(1.0 - in_pixels(d, per_footprint), min(1.0, 2.0 * float(textureSize(mask, 0).x) * abs(depth)));
 }
 
-// Returns S, the part of fur of the wetness rho that the film of soaked fur covers (docs/soaked.md).
+// Returns S, the part of fur of the wetness rho that the film of soaked fur covers (docs/shells.md, section 11).
 float soaked_share(float rho) {
 #ifdef SOAKED_FUR
   float x = clamp((rho - SOAKED) / (1.0 - SOAKED), 0.0, 1.0);
@@ -168,7 +168,7 @@ void main() {
   vec2 at = uv;
   float rho = 0.0;
   // The clump shifts the texture position by amount * pull. In the layer below, it shifts it by change * pull less. The
-  // drawn strand moves by -drawn * pull from the layer below to this one (docs/frame.md, section 6).
+  // drawn strand moves by -drawn * pull from the layer below to this one (docs/shells.md, section 6).
   vec2 pull = vec2(0.0);
   float amount = look.x, change = look.y, drawn = look.y, stretch = 1.0;
 #ifdef CLUMPS

@@ -1,5 +1,5 @@
 // Values of a layer that its vertices and fragments need. The host computes three rows of values per layer
-// (harness/shells/opengl/scene_glsl.cpp). docs/frame.md defines the symbols below.
+// (harness/shells/opengl/scene_glsl.cpp). docs/shells.md defines the symbols below.
 //   `bend`: the vertex is displaced by bend.x A + bend.y B + bend.z u + bend.w v, where u and v are the curl's axes.
 //   `step`: the strand direction dB(n) is step.x A + step.y B.
 //   `look`: look.x is f(h_n) and look.y is f(h_n) - f(h_(n-1)), both for the displacement by clumps. look.z is

@@ -1,4 +1,4 @@
-// Computes the lighting of docs/frame.md, section 6. The shaders of the fur layers and of the base surface use these
+// Computes the lighting of docs/shells.md, section 6. The shaders of the fur layers and of the base surface use these
 // functions. W = Silva et al. 2010, Real-Time Rendering of Wet Fur.
 vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // the zero vector stays zero
 
@@ -36,5 +36,5 @@ float wrapped(float n_dot_l) { return max(0.0, (n_dot_l + 0.4) / 1.4); }
 // Returns the diffuse light of one light source (C_d of W Eq. 2), divided by its intensity and by the colour K.
 float lambert(float n_dot_l) { return (1.0 - WRAP) * max(0.0, n_dot_l) + WRAP * wrapped(n_dot_l); }
 
-// Returns the factor g_l of docs/frame.md, section 6, divided by the light's intensity.
+// Returns the factor g_l of docs/shells.md, section 6, divided by the light's intensity.
 float dimmed(float n_dot_l) { return 1.0 + WRAP * (wrapped(n_dot_l) - 1.0); }

@@ -1,4 +1,4 @@
-// Transforms a vertex of a layer or of the base surface (S section 4, "vertex shader"; docs/frame.md, sections 3 and
+// Transforms a vertex of a layer or of the base surface (S section 4, "vertex shader"; docs/shells.md, sections 3 and
 // 4). S = Silva et al. 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al. 2010, Real-Time
 // Rendering of Wet Fur. harness/shells/opengl/program.cpp puts the constants and shaders/layers.glsl before this file.
 layout(location = 0) in vec3 position;  // in R, the radius of the mesh's bounding sphere

@@ -1,4 +1,4 @@
-// Draws the base surface (docs/frame.md, section 7). The host puts the constants and shaders/light.glsl before this
+// Draws the base surface (docs/shells.md, section 7). The host puts the constants and shaders/light.glsl before this
 // file.
 in vec2 uv;
 in vec3 normal;

@@ -22,7 +22,7 @@ bool may_pin(const std::vector<int>& cores, int online);
 /// Sets POCL_AFFINITY=1 unless the variable is set. PoCL then pins its thread i to core i. Without pinning,
 /// Linux sometimes wakes two threads on the same core although another core has become idle. Both threads
 /// then stay on this core for some milliseconds. Launches took 0.2 to 10 ms with pinning, and up to twice as
-/// long without pinning (docs/performance.md). The function does nothing if may_pin() is false for the cores
+/// long without pinning (docs/machines.md). The function does nothing if may_pin() is false for the cores
 /// that the process may use.
 void pin_threads();
 

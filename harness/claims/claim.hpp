@@ -1,7 +1,7 @@
 // A claim is a statement of a paper or of a user. Rows of results can confirm or refute the statement. A row
 // contains the measurements of one case in one process. A case has one value of each axis, and an axis is a
-// parameter that varies over the cases of an experiment. The file docs/claims.md describes the file format,
-// the kinds of effects and the verdicts.
+// parameter that varies over the cases of an experiment. The file docs/experiments.md describes the file
+// format, the kinds of effects and the verdicts.
 #pragma once
 #include <filesystem>
 #include <map>

@@ -189,7 +189,7 @@ void read_list(const fs::path& file, const toml::table& source, ClaimFile& resul
   const toml::array* list = source["claim"].as_array();
   if (!list || list->empty())
     throw InputError(
-        fmt::format("{}: there is no [[claim]]; docs/claims.md describes the format", file.string()));
+        fmt::format("{}: there is no [[claim]]; docs/experiments.md describes the format", file.string()));
   for (const toml::node& node : *list) {
     if (!node.is_table())
       throw InputError(

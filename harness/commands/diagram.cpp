@@ -131,8 +131,8 @@ int diagram(const DiagramOptions& options) {
 
 void add_diagram(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<DiagramOptions>();
-  CLI::App* command =
-      app.add_subcommand("diagram", "Draw an inset, a section or an overlay of a scene (docs/figures.md)");
+  CLI::App* command = app.add_subcommand(
+      "diagram", "Draw an inset, a section or an overlay of a scene (docs/experiments.md)");
   std::string help;
   std::vector<std::string> names;
   for (const Kind& k : kinds) {

@@ -1,4 +1,4 @@
-// pelage diagram: draws the insets, sections and overlays of the papers' figures (docs/figures.md).
+// pelage diagram: draws the insets, sections and overlays of the papers' figures (docs/experiments.md).
 #pragma once
 #include "harness/commands/command.hpp"
 

@@ -141,7 +141,7 @@ void add_renderer_options(CLI::App& command, RendererOptions& options) {
       ->capture_default_str();
   command
       .add_option("--opengl", options.opengl,
-                  "Implementation choices of the OpenGL baseline: name=value,name=value (docs/rival.md)")
+                  "Implementation choices of the OpenGL baseline: name=value,name=value (docs/baselines.md)")
       ->type_name("OPTIONS");
   command
       .add_option(

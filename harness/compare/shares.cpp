@@ -18,7 +18,7 @@ double model_height(const Picture& picture) {
 double wet_share(const Mesh& mesh, const std::vector<glm::vec4>& mask, int side) {
   double wet = 0, all = 0;
   auto texel = [side](float u) {
-    // nearest sampling (docs/frame.md, section 2)
+    // nearest sampling (docs/shells.md, section 2)
     return std::min(side - 1, int((u - std::floor(u)) * float(side)));
   };
   for (const glm::uvec3& t : mesh.triangle) {

@@ -30,7 +30,7 @@ inline constexpr double projected_fill = 0.1;
 /// direction where a strand turns back, the PSNR is below 80 dB.
 inline constexpr double folded_psnr = 90.0;
 /// Largest accepted relative change of the mean coverage of a picture of strands if strands are left out
-/// (docs/level-of-detail.md).
+/// (docs/strands.md, section "Level of detail").
 inline constexpr double kept_coverage = 0.01;
 /// Greatest accepted mean error of the shadowed key light if strands.shadow is "exp" (docs/strands.md,
 /// section Shadow), as a fraction of the unshadowed light. Tests compare it for three looks of dense fur on

@@ -1,5 +1,5 @@
 // The wetness mask as a picture, with the triangles of the UV map over it, as in the insets of S Fig. 5, 11
-// and 12 and W Fig. 1, 3 and 6 (docs/figures.md).
+// and 12 and W Fig. 1, 3 and 6 (docs/experiments.md).
 #pragma once
 #include <vector>
 
@@ -18,7 +18,7 @@ glm::vec3 clump_colour(const glm::vec4& clump);
 
 /// Draws the mask into a picture of side x side pixels; the top row is at v = 1. `mask` has wetness.size^2
 /// texels, and its first row is at v = 0. A texel is (c_u, c_v, radius, wetness). A pixel has the colour of
-/// the mask's lookup at its centre (docs/frame.md, section 2), and is grey outside the UV map. Over it, the
+/// the mask's lookup at its centre (docs/shells.md, section 2), and is grey outside the UV map. Over it, the
 /// borders and seams of the UV map are drawn in white and the edges of its triangles in a weaker white; the
 /// edges are left out if they would be shorter than least_edge on average.
 Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask, int side);

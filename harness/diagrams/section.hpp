@@ -1,5 +1,5 @@
 // Sections of the fur and curves of the papers' equations, as tables of numbers that the reference computes.
-// docs/figures.md describes the columns. harness/report/plots/section.py draws the tables.
+// docs/experiments.md describes the columns. harness/report/plots/section.py draws the tables.
 #pragma once
 #include <string>
 #include <vector>

@@ -12,7 +12,7 @@ namespace pelage::diagrams {
 /// Points on a strand from its root to its tip, in R.
 using Curve = std::vector<glm::dvec3>;
 
-/// Returns the curves of the strands (docs/frame.md, section 3, without the curl). `tips` are the simulated
+/// Returns the curves of the strands (docs/shells.md, section 3, without the curl). `tips` are the simulated
 /// tips relative to the roots (FrameOutput::tips): one strand per triangle for Silva's model; one per surface
 /// point, or per triangle corner, for a mass-spring topology. If there are more than `most` strands, the
 /// function takes `most` of them at equal distances in this order.

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// Distances in R at the nodes of a regular grid, below 0 inside the body. docs/chains.md, section Body,
+/// Distances in R at the nodes of a regular grid, below 0 inside the body. docs/strands.md, section Body,
 /// defines the values between the nodes.
 struct DistanceField {
   std::string mesh;             ///< Mesh::hash

@@ -21,7 +21,7 @@ std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<gl
   return out;
 }
 
-/// Returns the surface normal of each vertex (docs/frame.md, section 3). With a mass-spring topology, the
+/// Returns the surface normal of each vertex (docs/shells.md, section 3). With a mass-spring topology, the
 /// normal is the direction at rest of the vertex's stick (the spring from the surface to a moving mass). With
 /// Silva's strands, it is the normalized weighted mean of the triangle normals.
 std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
@@ -115,7 +115,9 @@ void write_shape(Hdf5File& file, const Mesh& mesh) {
   file.write("mesh/position", {vertices, 3}, flat<float>(mesh.position), "R",
              "positions of the vertices; a surface point on a UV seam has one vertex for each of its UVs");
   file.write("mesh/triangle", {faces, 3}, flat<std::uint32_t>(mesh.triangle), "1",
-             "indices of each triangle's three vertices, counter-clockwise seen from outside");
+             "indices of each triangle's three vertices, counter-clockwise seen from outside; triangles are "
+             "drawn in "
+             "this order");
   file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
   file.write("mesh/point", {vertices}, std::span<const std::uint32_t>(mesh.weld), "1",
              "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
@@ -123,7 +125,8 @@ void write_shape(Hdf5File& file, const Mesh& mesh) {
 
 void write_mesh(Hdf5File& file, const FrameInput& input) {
   const std::size_t vertices = input.mesh->position.size(), points = input.mesh->welded;
-  file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1", "unit surface normals");
+  file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1",
+             "unit surface normals at the vertices");
   file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV",
              "derivative of the surface position with respect to u");
   file.write("tangent/b", {vertices, 3}, flat<float>(input.tangents.b), "R/UV",
@@ -140,23 +143,23 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
   std::vector<glm::vec3> root = input.strands.root, rest = sum(root, input.strands.anchor);
-  std::string where = "centroids of the triangles";
   if (has_springs(input.scene.dynamics)) {
     const springs::SpringNetwork topology = springs::topology_of(input);
     const auto tops = topology.mass.begin() + std::ptrdiff_t(topology.sticks());
     root.assign(topology.mass.begin(), tops);
     rest.assign(tops, topology.mass.end());
-    where = parts(input.scene) ? "corners of the triangles" : "surface points";
   }
   const std::size_t count = root.size();
-  file.write("strand/root", {count, 3}, flat<float>(root), "R", where);
-  file.write("strand/rest", {count, 3}, flat<float>(rest), "R", "positions of the tips at rest");
+  file.write("strand/root", {count, 3}, flat<float>(root), "R",
+             "roots: centroids of the triangles, or bases of the sticks");
+  file.write("strand/rest", {count, 3}, flat<float>(rest), "R",
+             "positions of the tips at rest: root + anchor, or for sticks root + L0 n");
   file.write("strand/tip", {count, 3}, flat<float>(sum(root, output.tips)), "R",
-             "positions of the tips in this frame");
+             "positions of the tips in this frame: root + q");
   file.write("strand/offset", {count, 3}, flat<float>(output.tips), "R",
-             "positions of the tips relative to the roots in this frame (q)");
+             "q of this frame: positions of the tips relative to the roots");
   file.write("strand/velocity", {count, 3}, flat<float>(output.velocities), "R/s",
-             "velocities of the tips in this frame");
+             "v of this frame: velocities of the tips");
   if (has_springs(input.scene.dynamics))
     file.write("stick/normal", {input.stick_normal.size(), 3}, flat<float>(input.stick_normal), "1",
                "direction at rest of the stick at each surface point, unit length");
@@ -184,10 +187,10 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   file.write("droplet/centre", {drops, 2}, flat<float>(centre), "UV",
              "centres c_drop of the droplets, in the order of blending");
   file.write("droplet/radius", {drops}, column(radius), "UV", "radii r_drop of the droplets");
-  file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the droplets");
+  file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the soaked droplets");
   file.write("droplet/arrival", {drops}, column(arrival), "s", "times at which the droplets arrive");
   file.write("droplet/rho", {drops}, column(wetness_of_picture(input, output.frames)), "1",
-             "wetness of the droplets in this picture; 0: not blended into the mask");
+             "rho, the wetness of the droplets in this picture; 0: not blended into the mask");
   file.write("droplet/point", {drops, 3}, flat<float>(point), "R",
              "surface point whose UV is the centre of the droplet or of the droplet that this one repeats");
   file.write(
@@ -198,9 +201,10 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   file.write(
       "mask_surface", {side, side, 3}, flat<float>(input.mask_surface), "R",
       "surface point at the centre of each texel of the wetness mask; the axes of the array are v and u");
-  file.write("mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
-             "wetness mask: clump centre (c_u, c_v), clump radius r and wetness rho of each texel, all 0 if "
-             "the texel is dry; the axes of the array are v and u");
+  file.write(
+      "mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
+      "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 if no "
+      "droplet touches the texel; the axes of the array are v and u");
 }
 
 void write_textures(Hdf5File& file, const FrameInput& input) {
@@ -214,7 +218,8 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
                "layer, v and u");
   }
   file.write("fur_scale", {2}, std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
-             "number of repeats of the fur texture per unit of u and of v");
+             "number of repeats of the fur texture per unit of u and of v: fur.tile l_u and fur.tile l_v, "
+             "rounded to integers of at least 1 if the UV map is periodic");
   file.write("colour", {coat, coat, 4}, flat<std::uint8_t>(input.coat.texel), "1/255",
              "colours of the coat in gamma space (R, G, B and an unused channel); the axes of the array are "
              "v and u");
@@ -235,12 +240,10 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
       offset.push_back(glm::vec3(geometry.position(slot, static_cast<int>(n)) - base));
     }
   }
-  const bool separate = parts(input.scene);
   file.write(
       "layer/offset", {layers, geometry.slots(), 3}, flat<float>(offset), "R",
-      fmt::format(
-          "displacement of each {} of each layer from the mesh's surface, computed in double precision",
-          separate ? "triangle corner" : "vertex"));
+      "displacement B + phi of each vertex of each layer, or of each corner of a triangle if the layers of "
+      "neighbouring triangles are not connected; from the reference's motion of the strands");
 }
 
 void write_camera(Hdf5File& file, const Camera& camera) {

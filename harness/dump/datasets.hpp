@@ -28,8 +28,8 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
 void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
 void write_textures(Hdf5File& file, const FrameInput& input);
 void write_camera(Hdf5File& file, const Camera& camera);
-/// Writes the factors of the scene's maps (docs/style.md) and the distance field of the mesh among its
-/// colliders (docs/contact.md). Writes nothing if the scene has none.
+/// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh
+/// among its colliders (docs/shells.md, section 9). Writes nothing if the scene has none.
 void write_style(Hdf5File& file, const FrameInput& input);
 
 /// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the

@@ -88,7 +88,9 @@ void write_look(Hdf5File& file, const StrandInput& input) {
     for (const int value : {layer.rank, layer.first_frame, layer.frames})
       layers.push_back(std::uint32_t(value));
   file.write("light/layer", {input.look.layers.size(), 3}, std::span<const std::uint32_t>(layers), "1",
-             "rank of each fur layer in the sort keys, its first film frame, and its number of film frames");
+             "rank of each fur layer in the sort keys, its first film frame, and its number of film frames, "
+             "which is 1 "
+             "without a film strip");
   std::vector<std::uint8_t> film;
   for (const FilmFrame& film_frame : input.look.film)
     for (const FilmSample& sample : film_frame)

@@ -1,4 +1,4 @@
-// The dump of a picture of strands as an HDF5 file. docs/strands.md, section "The dump", lists the datasets.
+// The dump of a picture of strands as an HDF5 file. docs/dump.md, section Strands, lists the datasets.
 #pragma once
 #include <filesystem>
 #include <string>

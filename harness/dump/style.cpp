@@ -24,13 +24,11 @@ void write_style(Hdf5File& file, const FrameInput& input) {
              {std::size_t(field->nodes.z), std::size_t(field->nodes.y), std::size_t(field->nodes.x)},
              std::span<const float>(field->distance), "1",
              "distances from the mesh among the colliders, divided by contact.mesh_scale, negative inside; "
-             "the axes of the array "
-             "are z, y and x");
+             "the axes of the array are z, y and x");
   file.write("contact/grid", {4}, std::array{field->origin.x, field->origin.y, field->origin.z, field->cell},
              "1",
              "position of the field's first node relative to the mesh, and the distance of adjacent nodes, "
-             "both divided by "
-             "contact.mesh_scale");
+             "both divided by contact.mesh_scale");
 }
 
 }  // namespace pelage::dump

@@ -90,7 +90,7 @@ struct Case {
   std::string variant;  ///< a name such as default_variant
   std::string pipeline;
   std::string mapping;  ///< mapping of pixels to work-items; "": the device's default
-  std::string opengl;   ///< implementation options of the OpenGL baseline (docs/rival.md)
+  std::string opengl;   ///< implementation options of the OpenGL baseline (docs/baselines.md)
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string> overrides;  ///< values of the options --set, --axis and --model
   std::map<std::string, std::string> settings;   ///< scene keys of the experiment file, values as in TOML

@@ -11,7 +11,7 @@ struct Window {
   int x, y, width, height;
 };
 
-/// RGBA floats, top row first. The colours are gamma-encoded, as in the papers that docs/frame.md lists.
+/// RGBA floats, top row first. The colours are gamma-encoded, as in the papers that docs/shells.md lists.
 /// Alpha is 0 on the background, 1 on the base surface, and the coverage of the fur elsewhere. The colour is
 /// already composited over the background. Values are not clamped.
 struct Picture {

@@ -1,4 +1,4 @@
-// The pinhole camera of docs/frame.md, section 4.
+// The pinhole camera of docs/shells.md, section 4.
 #pragma once
 #include <span>
 

@@ -1,4 +1,4 @@
-// The mesh among the colliders (docs/contact.md).
+// The mesh among the colliders (docs/shells.md, section 9).
 #pragma once
 #include <memory>
 

@@ -1,6 +1,6 @@
 // The input of a frame: all arrays from which every pipeline computes the frame. The host prepares the arrays
 // once. Their values are single-precision floats, so the double-precision reference and the devices read the
-// same values. docs/frame.md defines each array, and lists the papers S, W and B.
+// same values. docs/shells.md defines each array, and lists the papers S, W and B.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -52,8 +52,8 @@ struct SurfaceTangents {
   std::vector<glm::vec3> t, b;  ///< one pair per vertex
 };
 
-/// The maps of the fur's shape (docs/style.md), as factors of the scene's values. An array is empty if the
-/// scene has no such map. All factors are 0 to 1.
+/// The maps of the fur's shape (docs/shells.md, section 8), as factors of the scene's values. An array is
+/// empty if the scene has no such map. All factors are 0 to 1.
 struct Style {
   /// The factor of fur.density, as a picture: height rows of width values, the top row (v = 1) first.
   struct Density {
@@ -103,7 +103,7 @@ struct Droplet {
   float arrival = 0.0f;  ///< time at which the droplet arrives, s
 };
 
-/// The pinhole camera, docs/frame.md, section 4.
+/// The pinhole camera, docs/shells.md, section 4.
 struct Camera {
   /// Rows of the projection matrix. For a point p, the dot products of row_x, row_y and row_w with (p, 1) are
   /// x * w, y * w and w. Here x and y are in pixels from the image centre, and w is the view depth in R.

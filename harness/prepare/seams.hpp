@@ -1,4 +1,4 @@
-// Repeats droplets on the other side of UV seams (docs/frame.md, section 2).
+// Repeats droplets on the other side of UV seams (docs/shells.md, section 2).
 #pragma once
 #include <vector>
 

@@ -1,5 +1,5 @@
-// The shape of the fur as a function of the position on the surface (docs/style.md). Pictures in UV space,
-// the maps, multiply the scene's values of length, curl, density and comb.
+// The shape of the fur as a function of the position on the surface (docs/shells.md, section 8). Pictures in
+// UV space, the maps, multiply the scene's values of length, curl, density and comb.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

@@ -1,5 +1,6 @@
-// Water that changes over time: droplets arrive, soak into the fur and dry (docs/water.md). All functions are
-// pure functions of the time, so any picture of a sequence can be drawn without the pictures before it.
+// Water that changes over time: droplets arrive, soak into the fur and dry (docs/shells.md, section 10). All
+// functions are pure functions of the time, so any picture of a sequence can be drawn without the pictures
+// before it.
 #pragma once
 #include <string>
 #include <vector>

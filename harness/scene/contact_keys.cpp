@@ -1,5 +1,5 @@
-// The scene keys of colliders (docs/contact.md). In the help texts, R is the radius of the model's bounding
-// sphere.
+// The scene keys of colliders (docs/shells.md, section 9). In the help texts, R is the radius of the model's
+// bounding sphere.
 #include "harness/scene/contact_keys.hpp"
 
 namespace pelage {

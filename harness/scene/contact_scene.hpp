@@ -1,5 +1,5 @@
 // The part of a scene that describes colliders: bodies that push the layers of the fur down
-// (docs/contact.md). R is the radius of the mesh's bounding sphere.
+// (docs/shells.md, section 9). R is the radius of the mesh's bounding sphere.
 #pragma once
 #include <filesystem>
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
 // The scene: all parameters of a picture or a timing, each with a default. The unit R of lengths is the
 // radius of the mesh's bounding sphere. L0 is the length of a strand (FurScene::length). In the comments, S
 // is "Curling and Clumping Fur Represented by Texture Layers", W is "Real-Time Rendering of Wet Fur" (both
-// Silva et al. 2010), and B is Banisch and Wuethrich 2006 (docs/frame.md). scene_toml.hpp declares the
+// Silva et al. 2010), and B is Banisch and Wuethrich 2006 (docs/shells.md). scene_toml.hpp declares the
 // functions that read, check and write scenes.
 #pragma once
 #include <array>
@@ -60,8 +60,8 @@ struct FurScene {
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
   float density = 1.0f;    ///< factor of the fur's coverage, 0..1
-  /// Maps of the fur's shape (docs/style.md): pictures in UV space whose luma multiplies `length`, `density`
-  /// and `comb` at each point of the surface. Empty: a map that is 1 everywhere.
+  /// Maps of the fur's shape (docs/shells.md, section 8): pictures in UV space whose luma multiplies
+  /// `length`, `density` and `comb` at each point of the surface. Empty: a map that is 1 everywhere.
   std::filesystem::path length_map, density_map, comb_map;
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< spacing of the layers at rest: "paper" (as in S) | "uniform"
@@ -80,7 +80,8 @@ struct CurlScene {
   /// if `frame` is "smooth".
   float variation = 0.0f;
   std::string frame = "smooth";  ///< tangent frame of the curl: "smooth" | "uv" (gradient of the UV map)
-  /// Pictures in UV space whose luma multiplies `radius` and `turns` (docs/style.md). Empty: no map.
+  /// Pictures in UV space whose luma multiplies `radius` and `turns` (docs/shells.md, section 8). Empty: no
+  /// map.
   std::filesystem::path radius_map, turns_map;
 };
 
@@ -121,7 +122,7 @@ struct WetnessScene {
   /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:
   /// everywhere.
   std::filesystem::path image;
-  // The water over time (docs/water.md). With the defaults, the water does not change.
+  // The water over time (docs/shells.md, section 10). With the defaults, the water does not change.
   float rate = 0.0f;    ///< random droplets that arrive per second; 0: all of them arrive at `begin`
   float begin = 0.0f;   ///< arrival of the first random droplet, s
   float end = 3600.0f;  ///< random droplets that would arrive after this time do not arrive, s
@@ -153,7 +154,7 @@ struct ClumpScene {
   std::string cells = "consistent";  ///< rule for fragments at a clump's border, one of clump_borders
 };
 
-/// Soaked fur, our extension of both papers (docs/soaked.md).
+/// Soaked fur, our extension of both papers (docs/shells.md, section 11).
 struct SoakedScene {
   float threshold = 1;  ///< wetness from which on a film of water replaces the clumps; 1: nowhere
   float height = 0.5f;  ///< height of the film, as a fraction of the fur's length
@@ -190,7 +191,7 @@ struct WindScene {
   std::string gust_at = "stick";
 };
 
-/// Springs of the mass-spring topologies (docs/topology.md). Silva's strand does not use these values.
+/// Springs of the mass-spring topologies (docs/springs.md). Silva's strand does not use these values.
 struct SpringsScene {
   float stiffness = 10;         ///< stiffness of the sticks in N/m, where the length 1 R is taken as 1 m
   float damping = 0.02f;        ///< damping coefficient along the sticks in N s/m
@@ -199,7 +200,7 @@ struct SpringsScene {
   float return_weight = 0.2f;   ///< w of B Eq. 5, N
   float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate-gradient solver stops
   /// Derivatives of the forces in the matrix of backward Euler: "full" (all terms) | "pruned" (without the
-  /// terms that docs/topology.md names in its section Solvers).
+  /// terms that docs/springs.md names in its section Solvers).
   std::string jacobian = "pruned";
   /// Reference area per stick, in R^2. If it is above 0, the mass, stiffness, damping, drag and return weight
   /// of a stick are multiplied by A / reference_area, where A is the mesh's mean surface area per stick. If

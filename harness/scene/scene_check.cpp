@@ -96,7 +96,7 @@ void check_droplets(const WetnessScene& wetness, const std::string& source) {
   }
 }
 
-/// Throws InputError for times of the rain (docs/water.md) that contradict each other.
+/// Throws InputError for times of the rain (docs/shells.md, section 10) that contradict each other.
 void check_rain(const WetnessScene& wetness, const std::string& source) {
   if (wetness.end < wetness.begin)
     throw InputError(fmt::format("{}: wetness.end: {} s is before wetness.begin ({} s); give {} s or more",

@@ -1,6 +1,6 @@
 // The table of all keys of a scene. In the help texts of the keys, R is the radius of the model's bounding
 // sphere, L0 is fur.length, S and W are the papers of Silva et al. 2010 about curling fur and about wet fur,
-// and B is the paper of Banisch and Wuethrich 2006 (docs/frame.md).
+// and B is the paper of Banisch and Wuethrich 2006 (docs/shells.md).
 #include "harness/scene/scene_keys.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ std::vector<Key> droplet_keys(DropletScene& droplet) {
       {"point", &droplet.point, "R", -1e6, 1e6, "centre in space, moved to the nearest surface point; give either uv or point"},
       {"radius", &droplet.radius, "UV units or R", 0.0001, 1, "r_drop, the radius of the droplet, in the unit wetness.unit"},
       {"wetness", &droplet.wetness, "", 0, 1, "rho_drop, the wetness of the droplet"},
-      {"time", &droplet.time, "s", 0, 3600, "time at which the droplet arrives (docs/water.md)"},
+      {"time", &droplet.time, "s", 0, 3600, "time at which the droplet arrives (docs/shells.md, section 10)"},
   };
 }
 
@@ -123,7 +123,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.lod_bias", &fur.lod_bias, "mip levels", -16, 16, "value added to the mip level of the fur texture lookup"},
       {.name = "fur.substeps", .slot = &fur.substeps, .unit = "", .least = 1, .most = 8, .help = "number of samples of the fur texture per fragment along the view ray within a layer; with few layers, more samples make curls smooth; 1: as in S and W", .power_of_two = true},
       {"fur.density", &fur.density, "", 0, 1, "factor of the fur's coverage: 0 is no fur, 1 is all fur"},
-      {.name = "fur.length_map", .slot = &fur.length_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.length (docs/style.md); \"\": no map"},
+      {.name = "fur.length_map", .slot = &fur.length_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.length (docs/shells.md, section 8); \"\": no map"},
       {.name = "fur.density_map", .slot = &fur.density_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.density; \"\": no map"},
       {.name = "fur.comb_map", .slot = &fur.comb_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.comb; \"\": no map"},
       {"fur.seed", &fur.seed, "", 0, most_seed, "random seed of the fur volume texture"},
@@ -135,7 +135,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"curl.turns", &curl.turns, "", -64, 64, "number of turns of the curl from root to tip; omega / (2 pi) in S Eq. 4"},
       {"curl.variation", &curl.variation, "turns", 0, 8, "greatest random shift of a curl's phase; the shift varies smoothly over the surface; used only if curl.frame is \"smooth\""},
       {.name = "curl.frame", .slot = &curl.frame, .unit = "", .help = "tangent frame of the curl: \"smooth\" uses a smoothed vector field, \"uv\" uses the gradient of the UV map", .choices = {"smooth", "uv"}},
-      {.name = "curl.radius_map", .slot = &curl.radius_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of curl.radius (docs/style.md); \"\": no map"},
+      {.name = "curl.radius_map", .slot = &curl.radius_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of curl.radius (docs/shells.md, section 8); \"\": no map"},
       {.name = "curl.turns_map", .slot = &curl.turns_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of curl.turns; \"\": no map"},
 
       {"wetness.size", &wetness.size, "texels", 8, 4096, "number of texels per side of the wetness mask"},
@@ -152,7 +152,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "wetness.blend", .slot = &wetness.blend, .unit = "", .help = "which wet texels of its disc a droplet is blended with (S and W, Algorithm 1): \"near\" those whose clump's centre is at most the droplet's radius from the droplet's centre; \"overlap\" all, so that overlapping droplets form a new clump where they overlap; the droplet overwrites the other texels", .choices = {"near", "overlap"}},
       {.name = "wetness.seams", .slot = &wetness.seams, .unit = "", .help = "droplets whose disc reaches a seam of the UV map: \"cut\" ends the disc at the seam, \"joined\" repeats the droplet on the other side", .choices = {"cut", "joined"}},
       {.name = "wetness.image", .slot = &wetness.image, .unit = "", .help = "picture in UV space: random droplets are placed only where its luma is at least 0.5; \"\": everywhere"},
-      {"wetness.rate", &wetness.rate, "droplets/s", 0, 1e6, "number of random droplets that arrive per second, at equal intervals; 0: all arrive at wetness.begin (docs/water.md)"},
+      {"wetness.rate", &wetness.rate, "droplets/s", 0, 1e6, "number of random droplets that arrive per second, at equal intervals; 0: all arrive at wetness.begin (docs/shells.md, section 10)"},
       {"wetness.begin", &wetness.begin, "s", 0, 3600, "time at which the first random droplet arrives"},
       {"wetness.end", &wetness.end, "s", 0, 3600, "random droplets that would arrive after this time do not arrive"},
       {"wetness.soak", &wetness.soak, "s", 0, 3600, "time in which a droplet soaks into the fur; its wetness grows linearly from 0; 0: at once"},
@@ -176,7 +176,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "blend.faces", .slot = &s.blend.faces, .unit = "", .help = "triangles of the layers: \"all\" draws all triangles of a layer in the mesh's order, so that fur of the far side covers fur of the near side; \"front\" draws only the triangles whose base faces the eye; \"back-then-front\" draws all layers of the triangles that face away, then all layers of the triangles that face the eye", .choices = {face_orders.begin(), face_orders.end()}},
       {.name = "blend.order", .slot = &s.blend.order, .unit = "", .help = "order in which the fragments of a pixel are blended: \"layer\" is the order of blend.faces; \"depth\" blends the farthest fragment first, so that near fur covers far fur everywhere. The OpenCL mapping group draws \"depth\" instead of the mapping tile; the OpenGL baseline does not support it", .choices = {blend_orders.begin(), blend_orders.end()}},
 
-      {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "model of the fur's motion: \"silva\" has one strand of Silva et al. per triangle; \"chains\" is only for the pipelines that draw strands, which always simulate chains of two segments (docs/strands.md); the other values are mass-spring topologies (docs/topology.md)", .choices = topology_names()},
+      {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "model of the fur's motion: \"silva\" has one strand of Silva et al. per triangle; \"chains\" is only for the pipelines that draw strands, which always simulate chains of two segments (docs/strands.md); the other values are mass-spring topologies (docs/springs.md)", .choices = topology_names()},
       {.name = "dynamics.solver", .slot = &dynamics.solver, .unit = "", .help = "time integration scheme of a topology; \"silva\" supports semi-implicit Euler only", .choices = springs::solver_names()},
       {.name = "dynamics.bend", .slot = &dynamics.bend, .unit = "", .help = "positions of the layers if dynamics.topology is a mass-spring topology: \"linear\" places them on the straight stick; \"paper\" uses B Eq. 4 as printed; \"tangent\" uses B Eq. 4 without the component of the bend along the surface normal", .choices = {"linear", "paper", "tangent"}},
       {"dynamics.bend_power", &dynamics.bend_power, "", 1, 16, "k of B Eq. 4"},

@@ -1,5 +1,5 @@
-// Makes objects that time the OpenGL baseline (docs/rival.md), alone or alternately with the OpenCL pipeline.
-// The baseline is the OpenGL pipeline of the papers by Silva et al. 2010.
+// Makes objects that time the OpenGL baseline (docs/baselines.md), alone or alternately with the OpenCL
+// pipeline. The baseline is the OpenGL pipeline of the papers by Silva et al. 2010.
 #pragma once
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace pelage {
 
 /// Returns a subject that times only the OpenGL baseline. The field `opengl` of `which` contains the
-/// baseline's implementation options (docs/rival.md). Throws Unsupported if OpenGL is unavailable.
+/// baseline's implementation options (docs/baselines.md). Throws Unsupported if OpenGL is unavailable.
 std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which);
 
 /// Throws Unsupported if OpenGL is unavailable. Callers run this check before they prepare the mesh.

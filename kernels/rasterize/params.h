@@ -5,7 +5,7 @@
 #define PELAGE_RASTERIZE_PARAMS_H
 
 typedef struct {
-  // Picture and camera (docs/frame.md, section 4).
+  // Picture and camera (docs/shells.md, section 4).
   int width, height;
   // Rows of the camera matrix. Their products with (p, 1), for a point p, are x*w, y*w and w. Here w is the view depth
   // of p, and x and y are the position of p in the picture, in pixels from the image centre.
@@ -48,10 +48,10 @@ typedef struct {
   int clump_reading;                          // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
   int clump_cells;                            // CELLS_SEPARATE, ...: the scene key clump.cells
   float log_layers;                           // k = ln N, for S Eq. 5
-  int film;                                   // 1: a smooth film of water replaces the clumps of soaked fur (docs/soaked.md)
+  int film;                                   // 1: a smooth film of water replaces the clumps of soaked fur (docs/shells.md, section 11)
   float soaked;                               // the wetness from which on it does
   float film_height, film_gloss;              // the film's height as a fraction of L0, and the factor of its highlight
-  // Maps of the fur's shape (docs/style.md). Their arrays follow the layer table in its buffer; turn_points,
+  // Maps of the fur's shape (docs/shells.md, section 8). Their arrays follow the layer table in its buffer; turn_points,
   // turn_angles and density_map are the indices of their first floats there.
   int turn_levels;                            // number of tabulated factors of curl.turns; 0: no map
   int turn_points;                            // one float per vertex: the number of its factor
@@ -116,7 +116,7 @@ enum { TANGENT_PAPER, TANGENT_DRAWN, TANGENT_STRAND, TANGENT_PRINTED };
 // computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
-// Columns of the vertex array. VERTEX: the position. ROOT: the vector A of docs/frame.md, section 3. With `fur.binding`
+// Columns of the vertex array. VERTEX: the position. ROOT: the vector A of docs/shells.md, section 3. With `fur.binding`
 // "shared", A is the weighted mean, over the triangles around the vertex, of the fur's length L0 times the normal n of
 // the triangle. CURL_U and CURL_V: the two axes of the curl.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
@@ -124,7 +124,7 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 
 // Number of floats in a vertex's row of an attribute buffer. There are three buffers. A row of the first buffer holds
 // the texture coordinates u and v and the vectors A and B. A row of the second buffer holds the tangents dX/du and
-// dX/dv. A row of the third buffer holds the two axes of the curl (docs/frame.md, section 3). The last two floats of
+// dX/dv. A row of the third buffer holds the two axes of the curl (docs/shells.md, section 3). The last two floats of
 // the second and third buffer's rows are unused.
 #define RECORD 8
 

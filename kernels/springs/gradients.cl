@@ -102,7 +102,7 @@ INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(e
 // end of the time step. root: positions of the sticks' bases. reach: positions of the top masses relative to their
 // bases. The vector from one top mass to another is computed from differences of roots and differences of `reach`.
 // The difference of two positions in R would have a rounding error of 6e-8 R, which is too large for stiff springs
-// between light masses (docs/topology.md, section Solvers).
+// between light masses (docs/springs.md, section Solvers).
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) root, TABLE(scalar) reach, TABLE(scalar) speed, TABLE(scalar) x,

@@ -1,5 +1,6 @@
-// Computes the wetness mask by Algorithm 1 of S and W, the papers of Silva et al. 2010 (docs/frame.md). The mask is divided into squares of texels, called buckets. A bucket lists the droplets that may
-// cover its texels. A work-item applies the droplets of its texel's bucket in the order of the list.
+// Computes the wetness mask by Algorithm 1 of S and W, the papers of Silva et al. 2010 (docs/shells.md). Each work-item
+// computes one texel. The mask is divided into squares of texels, called buckets. A bucket lists the droplets that may
+// cover its texels. The work-item applies the droplets of its texel's bucket in the order of the list.
 #include "wet/texel_lists.clh"
 
 // bucket_row: index of the first entry of each bucket in bucket_drop; the last element of bucket_row is the number of

@@ -148,7 +148,7 @@ TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
   EXPECT_EQ(message(claim_text(level, limit)), "");
   EXPECT_EQ(message("x = 1\n"),
             "claims.toml:1: unknown key x (known: [[claim]], include, process_spread, separate_processes)");
-  EXPECT_EQ(message(""), "claims.toml: there is no [[claim]]; docs/claims.md describes the format");
+  EXPECT_EQ(message(""), "claims.toml: there is no [[claim]]; docs/experiments.md describes the format");
   EXPECT_EQ(message("[[claim]]\nid = 3\n"), "claims.toml:2: claim: id must be a string");
   EXPECT_EQ(message("[[claim]]\nstatement = \"s\"\n"), "claims.toml:1: claim: id = \"...\" is missing");
   EXPECT_EQ(message("[[claim]]\nid = \"a\"\n"), "claims.toml:1: claim a: statement = \"...\" is missing");

@@ -1,4 +1,4 @@
-// Tests every effect of a claim (docs/claims.md) and every quantity from which effects are computed. The
+// Tests every effect of a claim (docs/experiments.md) and every quantity from which effects are computed. The
 // expected values were computed by hand.
 #include "harness/claims/effects.hpp"
 

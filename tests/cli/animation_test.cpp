@@ -1,4 +1,4 @@
-// Runs the commands of docs/animation.md with a smaller picture and fewer frames.
+// Runs the commands of docs/meshes.md with a smaller picture and fewer frames.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -38,7 +38,7 @@ std::size_t different(const Folder& folder, const std::string& frames, int count
 
 TEST(Animation, TheCommandsDrawFramesThatMoveAndJoin) {
   const Folder folder;
-  const auto blocks = blocks_of(fs::path(PELAGE_SOURCE_DIR) / "docs/animation.md");
+  const auto blocks = blocks_of(fs::path(PELAGE_SOURCE_DIR) / "docs/meshes.md");
   ASSERT_EQ(blocks.size(), 5u);
   const bool ffmpeg = std::system("command -v ffmpeg >/dev/null") == 0;
   for (const std::size_t block : {0u, 1u}) {

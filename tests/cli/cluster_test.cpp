@@ -1,5 +1,5 @@
 // Tests `pelage merge`, the options --shard and --balance, the scripts in experiments/slurm with a real
-// Slurm, and the commands in docs/cluster.md.
+// Slurm, and the commands in docs/machines.md.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -190,13 +190,13 @@ std::string shell_blocks(const fs::path& document) {
   return text;
 }
 
-// The test runs only the code blocks of docs/cluster.md that begin with ```sh. The commands in the other code
-// blocks configure a new build, or need a container or several machines.
+// The test runs only the code blocks of docs/machines.md that begin with ```sh. The commands in the other
+// code blocks configure a new build, or need a container or several machines.
 TEST(Slurm, EveryShellBlockOfTheDocumentWorks) {
   const Folder folder;
   if (shell(folder, "sh -c 'command -v sbatch && command -v parallel'") != 0)
     GTEST_SKIP() << "Slurm or GNU parallel is not installed (packages: .ci/packages.txt)";
-  const std::string blocks = shell_blocks(PELAGE_SOURCE_DIR "/docs/cluster.md");
+  const std::string blocks = shell_blocks(PELAGE_SOURCE_DIR "/docs/machines.md");
   ASSERT_GT(std::count(blocks.begin(), blocks.end(), '\n'), 8);
   const std::string build = fs::path(PELAGE_BINARY).lexically_normal().parent_path().string();
   // The document installs pelage to $HOME/pelage, so HOME is set to the temporary folder. XDG_CACHE_HOME

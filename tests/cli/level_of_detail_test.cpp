@@ -1,4 +1,5 @@
-// Runs pelage-bench-lod. docs/level-of-detail.md states the limits that this test compares.
+// Runs pelage-bench-lod. docs/strands.md, section "Level of detail", states the limits that this test
+// compares.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <re2/re2.h>

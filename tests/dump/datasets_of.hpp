@@ -11,13 +11,10 @@
 
 namespace pelage {
 
-/// A dataset as described in the table of docs/dump.md or as found in a dump.
+/// A dataset of a dump.
 struct Dataset {
-  /// Scenes whose dump contains the dataset: "always" (all scenes), "silva" (scenes with Silva's strands) or
-  /// "topology" (scenes with a mass-spring topology). The text is empty if the dataset was read from a dump.
-  std::string written;
   std::string type, units, description;
-  std::vector<std::string> shape;  ///< sizes: numbers, or symbols of docs/dump.md such as V
+  std::vector<std::string> shape;  ///< the sizes of its dimensions
 };
 using Datasets = std::map<std::string, Dataset>;
 

@@ -1,5 +1,5 @@
 // Tests that the dump of a frame whose water changes over time holds the arrival and the present wetness of
-// every droplet (docs/water.md).
+// every droplet (docs/shells.md, section 10).
 #include <gtest/gtest.h>
 #include <hdf5.h>
 

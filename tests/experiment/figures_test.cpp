@@ -1,4 +1,4 @@
-// Tests the experiments of the papers' figures, and that docs/figures.md lists them.
+// Tests the experiments of the papers' figures, and that docs/experiments.md lists them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,9 +47,9 @@ TEST(FigureExperiments, AreDrawnWithTheReadingsOfTheSharedScene) {
   }
 }
 
-/// Returns the rows of a table in docs/figures.md, keyed by the experiment in the second column.
+/// Returns the rows of a table in docs/experiments.md, keyed by the experiment in the second column.
 std::map<std::string, std::string> rows_of_document() {
-  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/figures.md");
+  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/experiments.md");
   std::map<std::string, std::string> rows;
   static const std::regex row(R"(^\|[^|]*\| `((?:silva2010|wetfur2010)-fig[0-9]+)`)");
   for (std::string line; std::getline(stream, line);) {

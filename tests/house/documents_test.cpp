@@ -1,5 +1,5 @@
-// Tests that every function `name()` and every file that the documents name in backticks exists, and that the
-// sections of documents that any file cites exist.
+// Tests that the documents name functions and files that exist, that their links lead somewhere, and that the
+// code cites documents and sections that exist.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -83,13 +84,61 @@ std::vector<std::string> gone(const std::string& text) {
   return faults;
 }
 
-/// Returns the titles of a document's sections. Empty if there is no such document.
-std::vector<std::string> titles_of(const std::string& document) {
+std::vector<fs::path> documents() {
+  std::vector<fs::path> found{root / "README.md", root / "ARTIFACT.md"};
+  for (const char* folder : {"docs", "results"})
+    for (const auto& entry : fs::directory_iterator(root / folder))
+      if (entry.path().extension() == ".md") found.push_back(entry.path());
+  return found;
+}
+
+/// Returns the titles of a document's sections.
+std::vector<std::string> titles_of(const std::string& text) {
+  std::vector<std::string> titles;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (const std::size_t end = line.find_first_not_of('#');
+        line.starts_with('#') && end != std::string::npos)
+      titles.push_back(line.substr(end + 1));
+  return titles;
+}
+
+/// Returns the name that a link gives to a section: lower case, - for blanks, without other punctuation.
+std::string anchor_of(const std::string& title) {
+  std::string anchor;
+  for (const char c : title)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
+      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (c == ' ')
+      anchor += '-';
+  return anchor;
+}
+
+/// Returns one line for each link of a document in `folder` that does not lead to a file or a section.
+std::vector<std::string> dead_links(const std::string& text, const fs::path& folder) {
+  static const std::regex link(R"(\]\(([^)#\s]*)(?:#([^)\s]+))?\))");
+  std::vector<std::string> faults;
+  for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+    const std::string to = (*match)[1], section = (*match)[2];
+    if (to.starts_with("http")) continue;
+    if (!fs::exists(folder / to)) {
+      faults.push_back(fmt::format("{}: no such file", match->str()));
+      continue;
+    }
+    if (section.empty()) continue;
+    const std::vector<std::string> titles = titles_of(to.empty() ? text : read(folder / to));
+    if (std::none_of(titles.begin(), titles.end(),
+                     [&](const auto& one) { return anchor_of(one) == section; }))
+      faults.push_back(fmt::format("{}: no such section", match->str()));
+  }
+  return faults;
+}
+
+/// Returns the titles of the sections of the document, which are read once.
+const std::vector<std::string>& known_titles(const std::string& document) {
   static std::map<std::string, std::vector<std::string>> known;
   const auto [entry, fresh] = known.try_emplace(document);
-  std::ifstream lines(root / "docs" / document);
-  for (std::string line; fresh && std::getline(lines, line);)
-    if (line.starts_with("#")) entry->second.push_back(line.substr(line.find_first_not_of("# ")));
+  if (fresh) entry->second = titles_of(read(root / document));
   return entry->second;
 }
 
@@ -110,44 +159,116 @@ std::size_t cited(const std::string& text, const std::vector<std::string>& title
   return most;
 }
 
-/// Returns one line for each citation such as "docs/chains.md, section Body" of a section that does not
-/// exist. A citation may name several sections.
-std::vector<std::string> gone_sections(const std::string& file) {
-  static const std::regex line_end(R"(\s*\n\s*(///?|#|\*)?\s*)"),
-      citation(R"re(^docs/([\w-]+\.md)[^.;]{0,100}?\bsections? (?=["A-Z0-9]))re"),
+/// Returns one line for each document, and each section such as "docs/strands.md, section Body", that `file`
+/// cites and that does not exist. A citation may name several sections. Only the text behind the name of the
+/// folder is searched, because a search with std::regex is slow.
+std::vector<std::string> dead_citations(const std::string& file) {
+  static const std::regex line_end(R"(\s*\n\s*(///?|#|\*)?\s*)"), name(R"re(^\w+/([\w-]+\.md)\b)re"),
+      section(R"re(^[^.;]{0,100}?\bsections? (?=["A-Z0-9]))re"),
       next_one(R"re(^"?(, and |, | and | to )"?(?=[A-Z0-9]))re");
   std::vector<std::string> faults;
-  for (std::size_t at = file.find("docs/"); at != std::string::npos; at = file.find("docs/", at + 1)) {
-    // The end of the text is not a letter, so that cited() may look at the character after a title.
-    const std::string text = std::regex_replace(file.substr(at, 300), line_end, " ") + ".";
-    std::smatch m;
-    if (!std::regex_search(text, m, citation) || m.str().find("docs/", 1) != std::string::npos) continue;
-    std::string rest = m.suffix();
-    for (bool more = true; more;) {
-      if (rest.starts_with('"')) rest.erase(0, 1);
-      const std::size_t size = cited(rest, titles_of(m[1]));
-      if (size == 0)
-        faults.push_back(
-            fmt::format("{}{}: no such section", m.str(), rest.substr(0, rest.find_first_of(".,;)"))));
-      rest.erase(0, size);
-      std::smatch link;
-      more = size > 0 && std::regex_search(rest, link, next_one) && cited(link.suffix(), titles_of(m[1])) > 0;
-      if (more) rest = link.suffix();
+  for (const std::string folder : {"docs/", "results/"})
+    for (std::size_t at = file.find(folder); at != std::string::npos; at = file.find(folder, at + 1)) {
+      // The end of the text is not a letter, so that cited() may look at the character after a title.
+      const std::string text = std::regex_replace(file.substr(at, 300), line_end, " ") + ".";
+      std::smatch document, m;
+      if (!std::regex_search(text, document, name)) continue;
+      if (!fs::exists(root / document.str())) {
+        faults.push_back(fmt::format("{}: no such document", document.str()));
+        continue;
+      }
+      std::string rest = document.suffix();
+      if (!std::regex_search(rest, m, section) || m.str().find("docs/") != std::string::npos) continue;
+      rest = std::string(m.suffix());
+      for (bool more = true; more;) {
+        if (rest.starts_with('"')) rest.erase(0, 1);
+        const auto& titles = known_titles(document.str());
+        const std::size_t size = cited(rest, titles);
+        if (size == 0)
+          faults.push_back(fmt::format("{}, section {}: no such section", document.str(),
+                                       rest.substr(0, rest.find_first_of(".,;)"))));
+        rest.erase(0, size);
+        std::smatch link;
+        more = size > 0 && std::regex_search(rest, link, next_one) && cited(link.suffix(), titles) > 0;
+        if (more) rest = std::string(link.suffix());
+      }
     }
-  }
   return faults;
 }
 
 }  // namespace
 
 TEST(Documents, NameWhatExists) {
-  std::vector<fs::path> documents{root / "README.md", root / "ARTIFACT.md"};
-  for (const auto& entry : fs::directory_iterator(root / "docs"))
-    if (entry.path().extension() == ".md") documents.push_back(entry.path());
-  EXPECT_GT(documents.size(), 8u);
-  for (const fs::path& document : documents)
-    for (const std::string& fault : gone(pelage::test::text_of(document)))
-      ADD_FAILURE() << document.lexically_relative(root).generic_string() << ": " << fault;
+  EXPECT_GT(documents().size(), 8u);
+  for (const fs::path& document : documents()) {
+    const std::string text = read(document), name = document.lexically_relative(root).generic_string();
+    for (const std::string& fault : gone(text)) ADD_FAILURE() << name << ": " << fault;
+    for (const std::string& fault : dead_links(text, document.parent_path()))
+      ADD_FAILURE() << name << ": " << fault;
+  }
+}
+
+// Tables that are written from code or results do not count: whole pages, or the lines between two marks.
+TEST(Documents, TogetherHaveAtMost35000Words) {
+  static const std::set<std::string> written{"results/README.md", "results/claims.md"};
+  std::size_t words = 0;
+  for (const fs::path& document : documents()) {
+    if (written.contains(document.lexically_relative(root).generic_string())) continue;
+    std::istringstream lines(read(document));
+    bool counts = true;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("<!-- ")) counts = line.find(" begin") == std::string::npos;
+      std::istringstream stream(line);
+      if (counts)
+        words += std::size_t(
+            std::distance(std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()));
+    }
+  }
+  EXPECT_GT(words, 20000u);
+  EXPECT_LE(words, 35000u);
+}
+
+TEST(Documents, CitedByTheCodeExist) {
+  std::size_t files = 0;
+  for (const char* folder : {"harness", "kernels", "shaders", "tests", "bench", "experiments", "examples",
+                             "scripts", "python", "cmake", "docs"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      static const std::set<std::string> kinds{".cpp",  ".hpp",   ".h",   ".in",  ".cl", ".clh",
+                                               ".vert", ".frag",  ".py",  ".sh",  ".md", ".toml",
+                                               ".1",    ".cmake", ".txt", ".glsl"};
+      if (!entry.is_regular_file() || !kinds.contains(entry.path().extension().string())) continue;
+      if (entry.path().filename() == "documents_test.cpp") continue;
+      ++files;
+      for (const std::string& fault : dead_citations(read(entry.path())))
+        ADD_FAILURE() << entry.path().lexically_relative(root).generic_string() << ": " << fault;
+    }
+  EXPECT_GT(files, 500u);
+}
+
+TEST(Documents, PlantedLinksAndCitationsAreFound) {
+  const fs::path docs = root / "docs";
+  EXPECT_EQ(dead_links("[a](gone.md) [b](code.md#gone) [c](#gone)\n# Here\n", docs).size(), 3u);
+  EXPECT_TRUE(dead_links("[a](code.md#kernels) [b](../README.md) [c](#it-is-here) [d](https://x.org)\n"
+                         "## It is: here\n",
+                         docs)
+                  .empty());
+  for (const char* text : {"docs/gone.md", "// docs/gone.md, section 1", "results/gone.md"})
+    EXPECT_EQ(dead_citations(text).size(), 1u) << text;
+  EXPECT_TRUE(dead_citations("docs/code.md, results/README.md").empty());
+}
+
+TEST(Documents, PlantedSectionsAreFound) {
+  for (const char* text : {"(docs/strands.md, section Simulation)",
+                           "docs/strands.md derives the\n// scheme in the section\n// Simulation.",
+                           "`docs/shells.md`, section 99", "docs/nothing.md, section 1",
+                           "docs/strands.md, section \"Time steps\""})
+    EXPECT_EQ(dead_citations(text).size(), 1u) << text;
+  for (const char* text :
+       {"(docs/strands.md, section Body)", "docs/strands.md, section \"Time step\".",
+        "docs/strands.md, sections Model and Stops", "`docs/shells.md`, section 6",
+        "docs/shells.md, sections 3, 4 and 5, and section 4 of a paper",
+        "docs/shells.md. Section 99 of a paper", "docs/shells.md; docs/strands.md, section Moving\n/// skin"})
+    EXPECT_TRUE(dead_citations(text).empty()) << text;
 }
 
 TEST(Documents, PlantedNamesAreFound) {
@@ -161,30 +282,4 @@ TEST(Documents, PlantedNamesAreFound) {
        {"`main()`", "`kernels/wet/wet.cl`", "`docs/`", "`wet.cl`", "`examples/grass-*.toml`", "`pelage list`",
         "`B(t_n)`", "`pelage::check_against_reference()`", "`main` in `harness/main.cpp`"})
     EXPECT_TRUE(gone(text).empty()) << text;
-}
-
-TEST(Documents, CitedSectionsExist) {
-  std::vector<fs::path> files{root / "README.md", root / "ARTIFACT.md"};
-  for (const char* folder : {"harness", "kernels", "shaders", "tests", "bench", "scripts", "docs",
-                             "experiments", "examples", "python"})
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-      if (entry.is_regular_file() && entry.path().filename() != "documents_test.cpp")
-        files.push_back(entry.path());
-  for (const fs::path& file : files)
-    for (const std::string& fault : gone_sections(read(file)))
-      ADD_FAILURE() << file.lexically_relative(root).generic_string() << ": " << fault;
-}
-
-TEST(Documents, PlantedSectionsAreFound) {
-  for (const char* text :
-       {"(docs/chains.md, section Simulation)",
-        "docs/chains.md derives the\n// scheme in the section\n// Simulation.", "`docs/frame.md`, section 99",
-        "docs/nothing.md, section 1", "docs/chains.md, section \"Time steps\""})
-    EXPECT_EQ(gone_sections(text).size(), 1u) << text;
-  for (const char* text :
-       {"(docs/chains.md, section Body)", "docs/chains.md, section \"Time step\".",
-        "docs/chains.md, sections Model and Stops", "`docs/frame.md`, section 6",
-        "docs/frame.md, sections 3, 4 and 5, and section 4 of a paper",
-        "docs/frame.md. Section 99 of a paper", "docs/frame.md; docs/chains.md, section Moving\n/// skin"})
-    EXPECT_TRUE(gone_sections(text).empty()) << text;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -161,10 +162,14 @@ Faults text_faults(const std::string& path, const std::string& text) {
     faults.push_back(fmt::format("{}:{}: {}", path, line, what));
   };
   const auto lines = lines_of(text);
-  // The manual page (.1) may be longer, because it must describe all commands in one file. So may the reports
-  // of recorded results (docs/FOLDER/*.txt), because pelage writes them.
-  const bool report_of_results = path.starts_with("docs/") && path.ends_with(".txt");
-  if (lines.size() > 400 && !path.ends_with(".1") && !report_of_results)
+  // The manual page (.1) may be longer, because it must describe all commands in one file. A document is
+  // limited by its words, because the definition of a frame is one page.
+  if (path.ends_with(".md")) {
+    std::istringstream stream(text);
+    const auto words =
+        std::distance(std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>());
+    if (words > 7000) report(1, fmt::format("{} words, 7000 are enough", words));
+  } else if (lines.size() > 400 && !path.ends_with(".1"))
     report(401, fmt::format("{} lines, 400 are enough", lines.size()));
   if (!text.empty() && text.back() != '\n') report(static_cast<int>(lines.size()), "no newline at the end");
   for (const Line& line : lines) {

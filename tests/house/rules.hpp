@@ -21,8 +21,9 @@ Links room_links(const std::string& cmake_lists);
 /// Finds includes that the rules forbid. `path` is relative to the repository and uses '/'.
 Faults include_faults(const std::string& path, const std::string& text, const Links& links);
 
-/// Finds files of more than 400 lines, notes about work to be done later, absolute paths of a developer's
-/// machine, a missing newline at the end, and blanks or tabs at the end of a line.
+/// Finds files of more than 400 lines, documents of more than 7000 words, notes about work to be done later,
+/// absolute paths of a developer's machine, a missing newline at the end, and blanks or tabs at the end of a
+/// line.
 Faults text_faults(const std::string& path, const std::string& text);
 
 /// Each of two computations may be in only one kernel file. Perspective-correct interpolation (arithmetic

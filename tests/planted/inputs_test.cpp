@@ -1,5 +1,5 @@
 // Tests that pelage detects a changed input: each test changes an input of an experiment after some rows were
-// measured. The first table of docs/trust.md lists these tests.
+// measured. The first table of docs/results.md lists these tests.
 #include "harness/picture/image_io.hpp"
 #include "tests/planted/runs.hpp"
 

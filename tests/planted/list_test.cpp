@@ -1,4 +1,4 @@
-// Tests that docs/trust.md lists exactly the tests of this folder.
+// Tests that docs/results.md lists exactly the tests of this folder.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::vector<std::string> listed(const std::string& text, const std::string& suit
 }
 
 TEST(List, TheDocumentNamesEveryTestOnce) {
-  std::ifstream stream(PELAGE_SOURCE_DIR "/docs/trust.md", std::ios::binary);
+  std::ifstream stream(PELAGE_SOURCE_DIR "/docs/results.md", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   for (const auto& [suite, least] : {std::pair{"Planted", 24U}, {"Honest", 20U}}) {
     std::vector<std::string> in_document = listed(text, suite), in_program = tests_of(suite);

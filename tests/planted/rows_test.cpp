@@ -1,5 +1,5 @@
 // Tests that pelage detects faulty rows: copies, incomplete lines, damaged lines, and changed rows with a
-// new, correct checksum. The first table of docs/trust.md lists these tests.
+// new, correct checksum. The first table of docs/results.md lists these tests.
 #include <cmath>
 
 #include "harness/report/left_out.hpp"

@@ -1,5 +1,5 @@
 // Functions that the tests of this folder share. They make short runs of the pelage program, copy the results
-// of a run into a temporary folder of the test, and change files and rows there. docs/trust.md lists the
+// of a run into a temporary folder of the test, and change files and rows there. docs/results.md lists the
 // tests.
 #pragma once
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ class Runs : public ::testing::Test {
   Folder folder;
 };
 
-/// The test suite for the first table of docs/trust.md.
+/// The test suite for the first table of docs/results.md.
 class Planted : public Runs {};
 
 /// Expects that pelage refused its input: the exit code is 2, and stderr contains exactly one error message,

@@ -1,5 +1,5 @@
 // Tests that pelage detects wrong times, and pictures that do not show the timed frames. The first table of
-// docs/trust.md lists these tests.
+// docs/results.md lists these tests.
 #include "harness/measure/runner.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/subjects/case_identity.hpp"

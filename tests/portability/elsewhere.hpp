@@ -1,6 +1,6 @@
 // Runs tests of this binary with other OpenCL compilers than the default one. Each test runs in a child
 // process whose environment selects the compiler. A mapping is a way to distribute the pixels over work-items
-// (docs/devices.md).
+// (docs/machines.md).
 #pragma once
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -35,7 +35,7 @@ inline void PrintTo(const Place& place, std::ostream* out) {
 /// Returns the compilers. PoCL has several methods of combining work-items into a work-group. All other tests
 /// use its default method, which generates loops over the work-items and vectorizes them with LLVM. This list
 /// adds two methods of PoCL. "loops" generates loops without vectorization. "repl" copies the code of the
-/// kernel for each work-item, so it needs small work-groups (docs/devices.md). The list also contains the
+/// kernel for each work-item, so it needs small work-groups (docs/machines.md). The list also contains the
 /// platform rusticl.
 inline const std::vector<Place>& places() {
   static const std::string pocl = "Portable Computing Language";

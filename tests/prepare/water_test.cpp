@@ -1,5 +1,5 @@
-// Tests the water over time (docs/water.md): the closed form of a droplet's wetness, the arrivals, and the
-// account of the water.
+// Tests the water over time (docs/shells.md, section 10): the closed form of a droplet's wetness, the
+// arrivals, and the account of the water.
 #include "harness/prepare/water.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,8 @@ constexpr Times all_times[] = {{0, 0, 0},       {1.5f, 0, 0},    {0, 2, 0},
                                {0, 0, .3f},     {0, 2, .3f},     {.7f, 3, .05f},
                                {2, .25f, .01f}, {.01f, 1000, 5}, {1, 3600, 1.0f / 64}};
 
-/// Integrates the equations of docs/water.md by small steps of the midpoint rule, from the arrival on.
+/// Integrates the equations of docs/shells.md, section 10, by small steps of the midpoint rule, from the
+/// arrival on.
 Water integrated(const WetnessScene& w, double drop, double age) {
   constexpr double step = 1e-4;
   Water water{.fell = drop, .unsoaked = drop};

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws a section of the fur, or the water over time. The first column of the table selects the drawing
-(docs/figures.md, docs/water.md).
+(docs/experiments.md; docs/shells.md, section 10).
 
 usage: section.py TABLE.csv OUT.svg [OUT.pdf ...]
 

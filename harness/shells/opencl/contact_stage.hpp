@@ -1,4 +1,4 @@
-// The colliders of a scene (docs/contact.md) on a device.
+// The colliders of a scene (docs/shells.md, section 9) on a device.
 #pragma once
 #include "harness/cl/buffer.hpp"
 #include "harness/prepare/frame_input.hpp"

@@ -15,7 +15,7 @@ std::vector<std::uint32_t> RasterStage::counted(const cl::Queue& queue, Mapping&
   auto covered = std::exchange(buffers_.covered, {queue, std::span<const std::uint32_t>(zeros)});
   auto image = std::exchange(buffers_.image, {queue.device(), buffers_.image.size()});
   // If every_layer is 0, the kernels skip a triangle in each layer in which the clumping of wet fur
-  // (docs/frame.md, section 6) discards all fragments of the triangle. With every_layer = 1 the kernels draw
+  // (docs/shells.md, section 6) discards all fragments of the triangle. With every_layer = 1 the kernels draw
   // each triangle in all layers, so they also count these fragments.
   const int every_layer = std::exchange(params_.every_layer, 1);
   for (int pass = passes() - 1; pass >= 0; --pass) {

@@ -15,7 +15,7 @@ struct RasterBuffers {
   cl::Buffer<std::int32_t> corner;
   cl::Buffer<float> screen, box;
   cl::Buffer<float> vertex;                ///< VERTEX_COLUMNS columns, each with one float per vertex
-  const cl::Buffer<float>* tip = nullptr;  ///< tip offset B (docs/frame.md, section 3), columns x, y, z
+  const cl::Buffer<float>* tip = nullptr;  ///< tip offset B (docs/shells.md, section 3), columns x, y, z
   cl::Buffer<float> dry;
   cl::Buffer<std::int32_t> list_start, list;
   cl::Buffer<float> record, tangent, curl;

@@ -18,7 +18,7 @@ class RasterStage {
  public:
   RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, const WetStage& wet,
               const ShellOptions& options);
-  /// Computes the tip offset B of every vertex (docs/frame.md, section 3). B is the weighted mean of the tip
+  /// Computes the tip offset B of every vertex (docs/shells.md, section 3). B is the weighted mean of the tip
   /// offsets q of the strands around the vertex. `strands` is the state of the strands in STATE_COLUMNS
   /// columns of length `stride`. Returns the columns x, y and z of B. The unit of B is the radius of the
   /// mesh's bounding sphere.

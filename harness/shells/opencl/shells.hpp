@@ -1,6 +1,6 @@
 // The pipeline that draws fur as texture layers (shells) on an OpenCL device. Every frame has the phases
-// simulate, transform, bin and raster. If the water changes over time (docs/water.md), every frame also has
-// the phase wet, which computes the wetness mask. Otherwise the mask is computed once.
+// simulate, transform, bin and raster. If the water changes over time (docs/shells.md, section 10), every
+// frame also has the phase wet, which computes the wetness mask. Otherwise the mask is computed once.
 #pragma once
 #include <map>
 #include <memory>

@@ -1,4 +1,4 @@
-// The stage that simulates a mass-spring topology (docs/topology.md). Scenes with a mass-spring topology use
+// The stage that simulates a mass-spring topology (docs/springs.md). Scenes with a mass-spring topology use
 // this stage instead of SimulateStage, which simulates the strands of Silva et al. 2010.
 #pragma once
 #include <cstdint>
@@ -23,8 +23,8 @@ class SpringStage {
   /// Advances the masses by one frame, in dynamics.substeps steps. If dynamics.tolerance is above 0, the
   /// steps have adaptive length instead.
   void frame(const cl::Queue& queue, cl::PhaseEvents* events);
-  /// Computes the tip offset B of every drawn vertex (docs/frame.md, section 3). `vertex` is the vertex table
-  /// in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, with one value per vertex.
+  /// Computes the tip offset B of every drawn vertex (docs/shells.md, section 3). `vertex` is the vertex
+  /// table in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, with one value per vertex.
   const cl::Buffer<float>& tips(const cl::Queue& queue, const RasterParams& params,
                                 const cl::Buffer<float>& vertex, cl::PhaseEvents* events);
   /// Waits for the queue. Then throws springs::Diverged if a mass has diverged in any step that frame() has

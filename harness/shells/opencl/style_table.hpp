@@ -1,4 +1,4 @@
-// The maps of the fur's shape (docs/style.md) in the form that the kernels read.
+// The maps of the fur's shape (docs/shells.md, section 8) in the form that the kernels read.
 #pragma once
 #include <vector>
 

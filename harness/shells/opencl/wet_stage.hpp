@@ -10,9 +10,9 @@
 
 namespace pelage::shells {
 
-/// Computes the wetness mask (docs/frame.md, section 2). If the scene has no droplets, the mask is zero
-/// everywhere, and no kernel is built. If the water changes over time (docs/water.md), the constructor
-/// computes the mask of the first picture, at the time dynamics.time.
+/// Computes the wetness mask (docs/shells.md, section 2). If the scene has no droplets, the mask is zero
+/// everywhere, and no kernel is built. If the water changes over time (docs/shells.md, section 10), the
+/// constructor computes the mask of the first picture, at the time dynamics.time.
 class WetStage {
  public:
   WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning = {});

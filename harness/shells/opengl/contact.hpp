@@ -1,4 +1,4 @@
-// The colliders of a scene (docs/contact.md) for the shaders.
+// The colliders of a scene (docs/shells.md, section 9) for the shaders.
 #pragma once
 #include "harness/gl/objects.hpp"
 #include "harness/prepare/frame_input.hpp"

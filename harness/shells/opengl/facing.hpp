@@ -1,4 +1,4 @@
-// Which triangles of the base surface face away from the eye (docs/frame.md, section 5).
+// Which triangles of the base surface face away from the eye (docs/shells.md, section 5).
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -208,7 +208,7 @@ struct OpenGl::State {
     draw_triangles(1);
   }
 
-  /// Returns the numbers of the triangles of each sweep over the layers (docs/frame.md, section 5).
+  /// Returns the numbers of the triangles of each sweep over the layers (docs/shells.md, section 5).
   std::vector<std::vector<std::uint32_t>> sweeps() const {
     if (input->scene.blend.faces == "all") {
       std::vector<std::uint32_t> all(input->mesh->triangle.size());

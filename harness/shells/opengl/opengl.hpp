@@ -1,6 +1,6 @@
 // The OpenGL baseline. It is the pipeline of section 4 of Silva et al. 2010, Curling and Clumping Fur. This
 // pipeline draws the mesh once per layer with a vertex shader and a fragment shader. It runs on a GPU, or on
-// the CPU with Mesa's llvmpipe. docs/rival.md describes the baseline.
+// the CPU with Mesa's llvmpipe. docs/baselines.md describes the baseline.
 #pragma once
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -14,7 +14,7 @@
 namespace pelage {
 
 /// Implementation choices of the baseline. With the defaults, the pictures agree with those of the reference
-/// renderer. docs/rival.md compares the times of all choices.
+/// renderer. docs/baselines.md compares the times of all choices.
 struct OpenGlOptions {
   /// One draw call for all layers ("instanced"), or one per layer ("each").
   std::string draws = "instanced";
@@ -63,7 +63,7 @@ std::string to_text(const OpenGlOptions& options);
 /// OpenGL reports an error.
 class OpenGl {
  public:
-  /// `mask` is the wetness mask (docs/frame.md, section 2) with wetness.size^2 texels. A texel holds the
+  /// `mask` is the wetness mask (docs/shells.md, section 2) with wetness.size^2 texels. A texel holds the
   /// centre (c_u, c_v) and the radius r of a clump, and the wetness rho.
   OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
          const OpenGlOptions& options = {});
@@ -78,8 +78,8 @@ class OpenGl {
   /// option `triangles` "seen", bend() then finds the seen triangles. Therefore call set_mask() before
   /// bend().
   void bend(const std::vector<glm::vec3>& tips, int frames = 0);
-  /// Changes the wetness mask. Only for scenes whose water changes over time (docs/water.md). For each
-  /// vertex, the host computes the axes of its curl.
+  /// Changes the wetness mask. Only for scenes whose water changes over time (docs/shells.md, section 10).
+  /// For each vertex, the host computes the axes of its curl.
   void set_mask(const std::vector<glm::vec4>& mask);
   /// Draws one frame: it uploads the bent vertices and a changed mask, draws the base surface and all layers,
   /// and calls glFinish. Returns the wall time in ms.

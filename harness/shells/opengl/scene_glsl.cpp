@@ -1,4 +1,4 @@
-// Computes the shaders' constants, definitions and layer table from the scene (docs/frame.md, sections 3, 4
+// Computes the shaders' constants, definitions and layer table from the scene (docs/shells.md, sections 3, 4
 // and 6).
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ std::vector<float> scaled(const glm::vec4& row, double factor) {
   return out;
 }
 
-/// The control points of a strand's Bezier curve are the root, root + a and root + b (docs/frame.md, section
+/// The control points of a strand's Bezier curve are the root, root + a and root + b (docs/shells.md, section
 /// 3). Returns x and y such that x a + y b is the point of the curve at height h, relative to the root.
 glm::dvec2 bezier_at(double h, const std::string& spacing) {
   const double t = spacing == "uniform" ? 1.0 - std::sqrt(1.0 - h) : h;

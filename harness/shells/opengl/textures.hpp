@@ -1,4 +1,4 @@
-// Makes OpenGL textures from the textures of a frame. OpenGL does the filtering that docs/frame.md, section
+// Makes OpenGL textures from the textures of a frame. OpenGL does the filtering that docs/shells.md, section
 // 6, defines.
 #pragma once
 #include <vector>

@@ -9,7 +9,7 @@ namespace pelage::rivals {
 namespace {
 
 /// Returns the wetness rho of the mask's texel that contains `uv`. The mask repeats outside 0..1. `discs`:
-/// the wetness falls to 0 in the ring around the clump's disc (docs/frame.md, section 2, "consistent").
+/// the wetness falls to 0 in the ring around the clump's disc (docs/shells.md, section 2, "consistent").
 float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& uv, bool discs) {
   const auto texel = [size](float u) {
     return std::size_t(std::min(int((u - std::floor(u)) * float(size)), size - 1));

@@ -1,4 +1,4 @@
-// The mesh and its strands as vertex arrays (docs/frame.md, section 3). Lengths are in R, the radius of the
+// The mesh and its strands as vertex arrays (docs/shells.md, section 3). Lengths are in R, the radius of the
 // mesh's bounding sphere.
 #pragma once
 #include <cstdint>

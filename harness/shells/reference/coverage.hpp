@@ -1,5 +1,5 @@
 // Computes the pixels that a triangle covers: clipping, snapping to 1/256 pixel, exact edge functions
-// (docs/frame.md, section 4).
+// (docs/shells.md, section 4).
 #pragma once
 #include <array>
 #include <cstdint>

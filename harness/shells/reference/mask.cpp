@@ -32,7 +32,7 @@ double rim(const Scene& scene) {
   return scene.clump.cells == "consistent" ? (std::sqrt(0.5) + 0.5) / double(scene.wetness.size) : 0.0;
 }
 
-/// Calls change(texel) for the numbers of all texels that a droplet covers (docs/frame.md, section 2). The
+/// Calls change(texel) for the numbers of all texels that a droplet covers (docs/shells.md, section 2). The
 /// droplet covers a texel if two distances are small enough. The distance in UV from the texel's centre to
 /// the droplet's centre must be at most droplet.radius. The distance from the texel's surface point to
 /// droplet.point must be at most droplet.reach.

@@ -1,4 +1,4 @@
-// Computes the wetness mask and the clumping of wet fragments (docs/frame.md). S is Silva et al. 2010,
+// Computes the wetness mask and the clumping of wet fragments (docs/shells.md). S is Silva et al. 2010,
 // Curling and Clumping Fur. W is Silva et al. 2010, Real-Time Rendering of Wet Fur. The mask is computed by
 // Algorithm 1 of S and W. The clumping is computed by S Eq. 5 and S Algorithm 2.
 #pragma once
@@ -21,11 +21,11 @@ struct Clump {
   bool operator==(const Clump&) const = default;
 };
 
-/// Whether a droplet is blended with a texel in its disc, or overwrites it (docs/frame.md, section 2). `way`
+/// Whether a droplet is blended with a texel in its disc, or overwrites it (docs/shells.md, section 2). `way`
 /// is the scene key wetness.blend.
 bool is_blended(const Clump& texel, const Droplet& droplet, const std::string& way);
 
-/// Applies one droplet to a texel in the droplet's disc (docs/frame.md, section 2). Returns the new texel.
+/// Applies one droplet to a texel in the droplet's disc (docs/shells.md, section 2). Returns the new texel.
 /// `margin`: times 4 alpha (1 - alpha), it is added to a blended radius, in UV units.
 Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way, double margin = 0.0);
 
@@ -55,8 +55,8 @@ struct Mask {
   Clump bilinear(const glm::dvec2& uv) const;
 };
 
-/// Returns the mask of the picture after `frames` frames (docs/frame.md, section 1). The number of frames
-/// matters only if the water changes over time (docs/water.md).
+/// Returns the mask of the picture after `frames` frames (docs/shells.md, section 1). The number of frames
+/// matters only if the water changes over time (docs/shells.md, section 10).
 Mask wetness_mask(const FrameInput& input, int frames = 1, Mutant mutant = Mutant::none);
 
 /// Returns how many of the wet texels of this mask were blended from several droplets, as a fraction of all

@@ -1,6 +1,6 @@
-// The reference renderer. It draws the frame that docs/frame.md defines, in double precision. It draws the
+// The reference renderer. It draws the frame that docs/shells.md defines, in double precision. It draws the
 // mesh once per layer, from the innermost layer to the outermost. It is written for clarity, not for speed,
-// and shares no code with kernels/. docs/frame.md defines the symbols and the papers S, W and B.
+// and shares no code with kernels/. docs/shells.md defines the symbols and the papers S, W and B.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>

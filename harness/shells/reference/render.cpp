@@ -1,4 +1,4 @@
-// Draws the base surface and then the layers from the innermost to the outermost (docs/frame.md, sections 5
+// Draws the base surface and then the layers from the innermost to the outermost (docs/shells.md, sections 5
 // to 7, and section 4 of Silva et al. 2010, Curling and Clumping Fur).
 #include <algorithm>
 #include <array>

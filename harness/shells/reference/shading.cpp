@@ -16,8 +16,8 @@ double wrapped(const glm::dvec3& normal, const glm::dvec3& light) {
   return std::max(0.0, (glm::dot(normal, light) + 0.4) / 1.4);
 }
 
-/// Returns g_l (docs/frame.md, section 6), the light's intensity times a factor that decreases with the angle
-/// between the normal and the light. The factor is 1 if shading.wrap is 0.
+/// Returns g_l (docs/shells.md, section 6), the light's intensity times a factor that decreases with the
+/// angle between the normal and the light. The factor is 1 if shading.wrap is 0.
 double intensity(const ShadingScene& shading, const LightScene& light, const glm::dvec3& normal,
                  const glm::dvec3& towards) {
   return double(light.intensity) * (1.0 + double(shading.wrap) * (wrapped(normal, towards) - 1.0));

@@ -1,4 +1,4 @@
-// The colour of a fragment (docs/frame.md, section 6). Papers: S = Curling and Clumping Fur Represented by
+// The colour of a fragment (docs/shells.md, section 6). Papers: S = Curling and Clumping Fur Represented by
 // Texture Layers, W = Real-Time Rendering of Wet Fur (both Silva et al. 2010), B = Making Grass and Fur Move
 // (Banisch and Wuethrich 2006). Lengths are in R, the radius of the mesh's bounding sphere.
 #pragma once
@@ -47,8 +47,8 @@ glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
 /// Returns the colour of a fragment of a layer, computed by the shading model shading.model.
 glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the colour of the base surface (docs/frame.md, section 7). The models "curling" and "wet" both use
-/// the diffuse term of W Eq. 2. Each of the two models multiplies this term by its own shadow factor at
+/// Returns the colour of the base surface (docs/shells.md, section 7). The models "curling" and "wet" both
+/// use the diffuse term of W Eq. 2. Each of the two models multiplies this term by its own shadow factor at
 /// fragment.height. The model "lambert" uses plain_colour().
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 

@@ -1,4 +1,5 @@
-// Soaked fur (docs/soaked.md): where the wetness exceeds a threshold, a film of water replaces the clumps.
+// Soaked fur (docs/shells.md, section 11): where the wetness exceeds a threshold, a film of water replaces
+// the clumps.
 #pragma once
 #include "harness/scene/scene.hpp"
 #include "harness/shells/reference/textures.hpp"

@@ -1,5 +1,5 @@
 // Functions for fragments that take several samples in the slab between their layer and the layer below
-// (docs/frame.md, section 6, "Sub-steps").
+// (docs/shells.md, section 6, "Sub-steps").
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

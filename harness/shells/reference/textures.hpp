@@ -1,5 +1,5 @@
-// Texture lookups in the fur and the coat (docs/frame.md, section 6). Texel (i, j) of a texture of side S has
-// its centre at ((i + .5) / S, (j + .5) / S). Textures repeat.
+// Texture lookups in the fur and the coat (docs/shells.md, section 6). Texel (i, j) of a texture of side S
+// has its centre at ((i + .5) / S, (j + .5) / S). Textures repeat.
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -4,7 +4,7 @@
 
 namespace pelage::reference {
 
-/// Returns v / |v|, or 0 for the zero vector (docs/frame.md).
+/// Returns v / |v|, or 0 for the zero vector (docs/shells.md).
 template <class V>
 V unit(const V& v) {
   const double length = glm::length(v);

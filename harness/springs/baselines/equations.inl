@@ -1,4 +1,4 @@
-// The equations of docs/topology.md in scalar C++. Each function computes one stick or one edge; the compiler
+// The equations of docs/springs.md in scalar C++. Each function computes one stick or one edge; the compiler
 // may vectorize the loops that call it. Files that are compiled with special flags include this file inside
 // an unnamed namespace.
 #define PELAGE_INLINE \

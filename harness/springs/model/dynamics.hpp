@@ -31,7 +31,7 @@ struct Dynamics {
   float residual = 1e-5f;       ///< relative residual |r| / |b| of A x = b at which conjugate gradients stop
   int most_iterations = 500;    ///< largest number of conjugate gradient iterations per step
   /// If true, backward Euler uses all terms of the derivatives of the forces. If false, backward Euler omits
-  /// the terms that would make the matrix of its equations asymmetric or indefinite (docs/topology.md,
+  /// the terms that would make the matrix of its equations asymmetric or indefinite (docs/springs.md,
   /// section Solvers).
   bool full_jacobian = false;
   /// If a stick is longer than this many rest lengths, the simulation stops and reports that it has diverged.

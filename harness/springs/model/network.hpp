@@ -19,7 +19,7 @@ namespace pelage::springs {
 /// surface point, so that the topology is connected across UV seams. `copies` places one stick on each vertex
 /// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so `copies` splits the
 /// topology along the seams. Banisch and Wuethrich do not state whether they count surface points or vertices
-/// (docs/topology.md). The topologies separable-sticks and separable-prisms always have one stick at each
+/// (docs/springs.md). The topologies separable-sticks and separable-prisms always have one stick at each
 /// corner of each triangle, so they ignore this choice.
 enum class Vertices { points, copies };
 

@@ -27,7 +27,7 @@ int corners_of(const Layout& layout, Solver solver, int lanes) {
 }  // namespace
 
 // The limits below were measured with `pelage run topology-solvers` on the models of Banisch and Wuethrich
-// 2006 (results/topology-notes.md). One work-item uses one core. Waking a second core takes some
+// 2006 (results/notes.md). One work-item uses one core. Waking a second core takes some
 // microseconds, which is more than the second core saves on a small model.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
   // llvmpipe (platform rusticl) ends a loop after 65535 iterations and reports no error, so one work-item

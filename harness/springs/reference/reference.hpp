@@ -51,7 +51,7 @@ struct Derivatives {
   std::vector<double> by_position, by_velocity;
 };
 /// Returns the derivatives that backward Euler uses at `time`. If `full_jacobian` of the dynamics is false,
-/// the matrices lack the terms that docs/topology.md names in the section Solvers. The matrices are dense, so
+/// the matrices lack the terms that docs/springs.md names in the section Solvers. The matrices are dense, so
 /// use this function only for small systems.
 Derivatives derivatives(const System& system, const State& state, double time);
 

@@ -23,7 +23,7 @@ struct Setting {
   long steps = 0;  ///< number of time steps from rest to `start`
 };
 
-/// These functions make the subjects described in docs/topology.md, section Studies, from the scene of the
+/// These functions make the subjects described in docs/springs.md, section Studies, from the scene of the
 /// case `which`. They throw InputError if the scene's topology is not a mass-spring topology. The subjects
 /// throw OutOfBounds if a mass diverges.
 std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which);

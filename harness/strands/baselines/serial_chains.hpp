@@ -1,4 +1,4 @@
-// The time step of docs/chains.md as serial C++: a baseline for the kernels. One thread computes one strand
+// The time step of docs/strands.md as serial C++: a baseline for the kernels. One thread computes one strand
 // after the other. The equations are those of the kernels' source, compiled as C++ in single precision.
 #pragma once
 #include <vector>

@@ -12,7 +12,7 @@ namespace pelage::strands {
 namespace {
 
 constexpr std::size_t slice = 16;
-constexpr double escape_time = 1.0 / 30;  // T of docs/chains.md, section Body, s
+constexpr double escape_time = 1.0 / 30;  // T of docs/strands.md, section Body, s
 
 void in_range(const char* what, float value, float least, float most) {
   if (!(value >= least && value <= most))  // also true for NaN

@@ -1,6 +1,6 @@
-// The model of a strand's motion: a chain of two rigid segments (docs/chains.md). This file has the
-// constants and the states of chains, and their memory layout in the kernels. R is the radius of the mesh's
-// bounding sphere, and L is the length of a strand.
+// The model of a strand's motion: a chain of two rigid segments (docs/strands.md, section "Chains"). This
+// file has the constants and the states of chains, and their memory layout in the kernels. R is the radius of
+// the mesh's bounding sphere, and L is the length of a strand.
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>
@@ -80,7 +80,7 @@ std::vector<float> strand_columns(const std::vector<Chain>& chains, const spring
 /// are 0.
 ChainState at_rest(const Chain& chain);
 
-/// Returns, with BODY_COLUMNS columns, how deep joint and tip may lie in the body (docs/chains.md, section
+/// Returns, with BODY_COLUMNS columns, how deep joint and tip may lie in the body (docs/strands.md, section
 /// Body), and the impulses of the stops 4 and 5.
 std::vector<float> body_columns(const std::vector<Chain>& chains, const ChainDynamics& dynamics,
                                 const std::vector<ChainState>& states);

@@ -1,4 +1,4 @@
-// Level of detail of pictures of strands (docs/level-of-detail.md): the strands that are
+// Level of detail of pictures of strands (docs/strands.md, section "Level of detail"): the strands that are
 // drawn, and the number of segments of a strand.
 #pragma once
 #include <cstddef>
@@ -34,8 +34,8 @@ struct Spread {
 Spread spread_of(const std::vector<KeyedStrand>& strands, const Mesh& mesh);
 
 /// Returns the factor of all widths with which a picture of a part of the strands has nearly the same mean
-/// coverage as a picture of all strands (docs/level-of-detail.md): 1 if look.fraction is 1,
-/// otherwise less, because the roots are blue noise, so that few wide strands overlap less than many thin
+/// coverage as a picture of all strands (docs/strands.md, section "Level of detail"): 1 if look.fraction is
+/// 1, otherwise less, because the roots are blue noise, so that few wide strands overlap less than many thin
 /// strands. The function does not use look.width_factor.
 float overlap_factor(const Camera& camera, const Look& look, const Spread& spread);
 

@@ -1,5 +1,5 @@
 // The order of strands in memory. A picture of a part of the strands draws the first ones
-// (docs/level-of-detail.md).
+// (docs/strands.md, section "Level of detail").
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,5 +1,5 @@
 // The double-precision reference for the simulation of strands. The items 1 to 6 in the comments are those of
-// the list in docs/chains.md, section "Time step".
+// the list in docs/strands.md, section "Time step".
 #include "harness/strands/reference/chain.hpp"
 
 #include <Eigen/Dense>
@@ -32,7 +32,7 @@ Vec second(const Pair& p) {
   return {p[3], p[4], p[5]};
 }
 
-// The values of the symbols of docs/chains.md at one time.
+// The values of the symbols of docs/strands.md at one time.
 struct Model {
   double l1, l2, m1, m2, c1, c2, d1, d2, k1, k2;
   double inertia_u, inertia_w, inertia_uw;  // A, B, C

@@ -1,4 +1,4 @@
-// The double-precision reference for the simulation of strands (docs/chains.md). It
+// The double-precision reference for the simulation of strands (docs/strands.md, section "Chains"). It
 // computes one strand at a time and shares no code with the kernels. It solves the equations of a step as a
 // dense linear system, and finds the points at which segments touch the skin by bisection. The kernels have
 // closed formulas for both tasks. Tests compare the kernels' results with the reference.

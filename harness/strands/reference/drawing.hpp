@@ -13,8 +13,8 @@ namespace pelage::strands::reference {
 /// Returns the alpha of strand `number` at the parameter t of its curve.
 double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t);
 
-/// Returns the strands that are drawn for the look's fraction and width factor (docs/level-of-detail.md),
-/// with their widths.
+/// Returns the strands that are drawn for the look's fraction and width factor (docs/strands.md, section
+/// "Level of detail"), with their widths.
 std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, const Look& look);
 
 /// Returns the strands to draw, from front to back. The list contains no strands that face away from the

@@ -167,7 +167,7 @@ __kernel void triangle_facing(RasterParams s, __global int *corners, TABLE(float
   }
 }
 
-// Writes the attribute row of each vertex: the texture coordinates u, v, and the vectors A and B of docs/frame.md,
+// Writes the attribute row of each vertex: the texture coordinates u, v, and the vectors A and B of docs/shells.md,
 // section 3.
 __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) uv, __global float *record) {
   size_t v = (size_t)s.vertices;

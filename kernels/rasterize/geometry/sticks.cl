@@ -1,4 +1,4 @@
-// Computes the tip B of each vertex (docs/frame.md, section 3) from the sticks of a mass-spring topology. A work-item
+// Computes the tip B of each vertex (docs/shells.md, section 3) from the sticks of a mass-spring topology. A work-item
 // computes LANES vertices.
 #include "rasterize/geometry/transform.clh"
 

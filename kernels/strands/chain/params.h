@@ -1,9 +1,9 @@
 // Constants that the host passes to the kernels of the strands' simulation, for OpenCL C and C++. All members have four
-// bytes. docs/chains.md defines the model.
+// bytes. docs/strands.md defines the model.
 //
 // A strand is a chain of two rigid segments. The first segment joins the root to the joint, the second the joint to the
 // tip. Each strand has its own units: its length L is the unit of length, and its mass is the unit of mass. R is the
-// radius of the mesh's bounding sphere. d1 and d2 are the damping coefficients of docs/chains.md.
+// radius of the mesh's bounding sphere. d1 and d2 are the damping coefficients of docs/strands.md, section "Chains".
 #ifndef PELAGE_STRANDS_CHAIN_PARAMS_H
 #define PELAGE_STRANDS_CHAIN_PARAMS_H
 
@@ -26,7 +26,7 @@ typedef struct {
   int first_moment;         // index of the ChainMoment of this launch's first substep
   int slices;               // number of slices of 16 strands
   int units_per_item;       // number of units of LANES strands that a work-item computes
-  // The distance field of the body (docs/chains.md, section Body). Only used if CHAIN_BODY is 1.
+  // The distance field of the body (docs/strands.md, section Body). Only used if CHAIN_BODY is 1.
   float field_x, field_y, field_z;     // position of the first node, R
   float per_cell;                      // 1 divided by the distance between adjacent nodes, 1/R
   int nodes_x, nodes_y, nodes_z;       // number of nodes along each axis

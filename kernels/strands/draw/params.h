@@ -16,7 +16,7 @@ typedef struct {
   float nearest, per_depth;    // view depth of the first depth step, R; number of depth steps per R
   float first_segment;         // length of the first segment, in lengths of the strand
   float slope;                 // length of the second segment divided by the length of the first segment
-  int strands;                 // number of strands that are drawn: the first ones (docs/level-of-detail.md)
+  int strands;                 // number of strands that are drawn: the first ones (docs/strands.md, section "Level of detail")
   float widen, per_fade;       // factor of all widths; 1 / number of strands that fade
   int units;                   // number of units of LANES strands
   int runs;                    // number of runs; one work-item of strand_keys computes one run

@@ -1,4 +1,4 @@
-// Tests colliders that push the fur (docs/contact.md) on the device.
+// Tests colliders that push the fur (docs/shells.md, section 9) on the device.
 #include "harness/shells/reference/contact.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Tests blend.order "depth": the fragments of a pixel are blended by depth (docs/frame.md, section 5).
+// Tests blend.order "depth": the fragments of a pixel are blended by depth (docs/shells.md, section 5).
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"

@@ -1,5 +1,5 @@
 // Tests that clumps appear and dry without a jump if clump.cells is "consistent" and wetness.blend is
-// "overlap" (docs/frame.md, sections 2 and 6).
+// "overlap" (docs/shells.md, sections 2 and 6).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests blend.faces: fur of the far side must not cover fur of the near side (docs/frame.md, section 5).
+// Tests blend.faces: fur of the far side must not cover fur of the near side (docs/shells.md, section 5).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

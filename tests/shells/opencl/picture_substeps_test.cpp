@@ -1,5 +1,5 @@
 // Compares pictures of the kernels and of the reference for fragments that take several samples
-// (docs/frame.md, section 6, "Sub-steps"). Kernels and reference were written independently of each other;
+// (docs/shells.md, section 6, "Sub-steps"). Kernels and reference were written independently of each other;
 // both follow that section.
 #include <gtest/gtest.h>
 

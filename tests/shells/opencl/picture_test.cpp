@@ -1,6 +1,6 @@
 // Compares the device's pictures with those of the reference. Kernels and reference were written
 // independently of each other; both follow the two papers of Silva et al. 2010
-// (docs/frame.md).
+// (docs/shells.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests soaked fur (docs/soaked.md).
+// Tests soaked fur (docs/shells.md, section 11).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ TEST(Soaked, TheChangePerStepOfWetnessIsSmall) {
   RecordProperty("greatest_change_per_0.01",
                  fmt::format("mean {:.4f} most {:.4f}", greatest.mean, greatest.most));
   EXPECT_GT(greatest.mean, 1e-4);
-  EXPECT_LT(greatest.mean, 0.005);  // as docs/soaked.md says
+  EXPECT_LT(greatest.mean, 0.005);  // as docs/shells.md, section 11, says
   EXPECT_LT(greatest.most, 0.3);
   for (const double low : {0.2, 0.3, 0.5, 0.7, 0.92}) {
     const Picture first = drawn(input, float(low)), last = drawn(input, float(low + 0.01 / 400));

@@ -1,4 +1,4 @@
-// Tests the maps of the fur's shape (docs/style.md) on the device.
+// Tests the maps of the fur's shape (docs/shells.md, section 8) on the device.
 #include <gtest/gtest.h>
 
 #include <algorithm>

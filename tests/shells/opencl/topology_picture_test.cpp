@@ -1,5 +1,5 @@
 // Compares the device's pictures of fur on mass-spring topologies with the reference's pictures. The
-// reference's code for the layers was written from docs/frame.md, independently of the kernels.
+// reference's code for the layers was written from docs/shells.md, independently of the kernels.
 // harness/springs/reference simulates the masses in double precision.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests the wetness mask of frames whose water changes over time (docs/water.md).
+// Tests the wetness mask of frames whose water changes over time (docs/shells.md, section 10).
 #include "harness/prepare/water.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Counts the floating-point operations of the kernels' functions. Compares the counts with the constants of
-// harness/shells/opencl/work.hpp, which docs/performance.md and the roofline plot use.
+// harness/shells/opencl/work.hpp, which docs/machines.md and the roofline plot use.
 #include "harness/shells/opencl/work.hpp"
 
 #include <gtest/gtest.h>

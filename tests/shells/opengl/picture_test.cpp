@@ -1,5 +1,5 @@
 // Compares the pictures of the OpenGL baseline with those of the reference and the OpenCL pipeline. All three
-// programs were written from docs/frame.md.
+// programs were written from docs/shells.md.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -156,7 +156,7 @@ TEST(OpenGlPicture, AnyPictureSize) {
 
 TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
   // The camera is so near to a square that the square's triangles cross the near plane and reach far beyond
-  // the picture. The planes at which OpenGL drivers clip triangles differ from the planes that docs/frame.md
+  // the picture. The planes at which OpenGL drivers clip triangles differ from the planes that docs/shells.md
   // specifies. The corners of a clipped triangle therefore differ between the baseline and the reference, and
   // so do their coordinates after the rounding to 1/256 pixel.
   Scene scene = synthetic::lively_scene();

@@ -1,5 +1,5 @@
-// Compares the OpenGL baseline's pictures of fur with maps (docs/style.md) and with colliders
-// (docs/contact.md) with the reference.
+// Compares the OpenGL baseline's pictures of fur with maps (docs/shells.md, section 8) and with colliders
+// (docs/shells.md, section 9) with the reference.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tests that the OpenGL baseline draws water that changes over time (docs/water.md).
+// Tests that the OpenGL baseline draws water that changes over time (docs/shells.md, section 10).
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Tests which pixels a triangle covers, in exact integer arithmetic (docs/frame.md, section 4).
+// Tests which pixels a triangle covers, in exact integer arithmetic (docs/shells.md, section 4).
 #include "harness/shells/reference/coverage.hpp"
 
 #include <gtest/gtest.h>

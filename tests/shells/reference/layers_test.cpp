@@ -1,4 +1,4 @@
-// Tests Eq. 1 and 4 of paper S and the strand's curve (docs/frame.md, section 3). Paper S is Silva et al.
+// Tests Eq. 1 and 4 of paper S and the strand's curve (docs/shells.md, section 3). Paper S is Silva et al.
 // 2010, Curling and Clumping Fur.
 #include "harness/shells/reference/layers.hpp"
 

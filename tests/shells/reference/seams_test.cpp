@@ -1,4 +1,4 @@
-// Tests droplets at the seams of the UV map (wetness.seams, docs/frame.md, section 2).
+// Tests droplets at the seams of the UV map (wetness.seams, docs/shells.md, section 2).
 #include "harness/prepare/seams.hpp"
 
 #include <fmt/format.h>

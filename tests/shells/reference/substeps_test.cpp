@@ -1,4 +1,4 @@
-// Tests fragments that take several samples (docs/frame.md, section 6, "Sub-steps"): the positions of the
+// Tests fragments that take several samples (docs/shells.md, section 6, "Sub-steps"): the positions of the
 // samples, and their combination to one sample.
 #include "harness/shells/reference/substeps.hpp"
 

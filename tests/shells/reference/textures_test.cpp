@@ -1,4 +1,4 @@
-// Compares texture lookups with values that are known from the texels (docs/frame.md, section 6).
+// Compares texture lookups with values that are known from the texels (docs/shells.md, section 6).
 #include "harness/shells/reference/textures.hpp"
 
 #include <gtest/gtest.h>

@@ -78,7 +78,7 @@ TEST(Lean, IsWhatTheDocumentsSay) {
                     windy = fmt::format("{:.1f}", balanced_lean(Dynamics{}, wind_of_3_m_s));
   std::size_t sentences = 0;
   for (const char* path :
-       {"docs/topology.md", "harness/springs/model/dynamics.hpp", "experiments/banisch2006-energy.toml",
+       {"docs/springs.md", "harness/springs/model/dynamics.hpp", "experiments/banisch2006-energy.toml",
         "experiments/banisch2006-longest-step.toml", "experiments/banisch2006-mesh-size.toml",
         "experiments/banisch2006-update-time.toml", "experiments/banisch2006-work-precision.toml",
         "experiments/topology-solvers.toml"}) {

@@ -63,7 +63,7 @@ inline Step assembled(const reference::System& system, const reference::State& s
 }
 
 /// Returns the system of time step `number`, computed by finite differences. The derivatives omit the same
-/// terms as the solvers do by default (the pruned Jacobian of docs/topology.md). All springs of `state` must
+/// terms as the solvers do by default (the pruned Jacobian of docs/springs.md). All springs of `state` must
 /// be longer than at rest, and the object must not move. Under these conditions, the pruned derivatives are
 /// the sum of two parts. The first part is the exact derivative of the spring forces at velocity 0. The
 /// second part is the exact derivative of the return force, projected onto the plane perpendicular to the

@@ -1,4 +1,4 @@
-// Tests the collision of strands with the body, a coarse signed distance field (docs/chains.md, section
+// Tests the collision of strands with the body, a coarse signed distance field (docs/strands.md, section
 // Body).
 #include <gtest/gtest.h>
 

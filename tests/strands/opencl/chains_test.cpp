@@ -1,5 +1,5 @@
-// Tests the simulation of strands as chains of two segments on an OpenCL device (docs/chains.md): exact
-// lengths, stops (limits of angles and the skin), rest, and bitwise equal results.
+// Tests the simulation of strands as chains of two segments on an OpenCL device (docs/strands.md, section
+// "Chains"): exact lengths, stops (limits of angles and the skin), rest, and bitwise equal results.
 #include "harness/strands/opencl/chains.hpp"
 
 #include <gtest/gtest.h>

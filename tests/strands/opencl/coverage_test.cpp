@@ -1,5 +1,5 @@
 // Tests that pictures of a part of the strands have the coverage of pictures of all strands
-// (docs/level-of-detail.md).
+// (docs/strands.md, section "Level of detail").
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tests the level of detail of pictures of strands (docs/level-of-detail.md).
+// Tests the level of detail of pictures of strands (docs/strands.md, section "Level of detail").
 #include "harness/strands/drawing/detail.hpp"
 
 #include <gtest/gtest.h>

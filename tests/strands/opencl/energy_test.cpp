@@ -1,6 +1,6 @@
-// Tests the simulation of strands as chains of two segments on an OpenCL device (docs/chains.md). The energy
-// must not rise, the frequency of small oscillations must be close to the exact value, and the results must
-// converge to those of short time steps.
+// Tests the simulation of strands as chains of two segments on an OpenCL device (docs/strands.md, section
+// "Chains"). The energy must not rise, the frequency of small oscillations must be close to the exact value,
+// and the results must converge to those of short time steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tests strands whose roots follow a skin that moves and deforms (docs/chains.md, section Moving skin).
+// Tests strands whose roots follow a skin that moves and deforms (docs/strands.md, section Moving skin).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Tests the equations of the reference for the simulation of strands against the formulation of
-// two_masses.hpp. A wrong term in an equation of docs/chains.md makes the two formulations differ.
+// two_masses.hpp. A wrong term in an equation of docs/strands.md makes the two formulations differ.
 #include <gtest/gtest.h>
 
 #include "tests/strands/reference/two_masses.hpp"

@@ -91,7 +91,7 @@ TEST(ChainReference, EnergyNeverRises) {
 }
 
 TEST(ChainReference, DirectionsStayUnitVectorsWithinTheStops) {
-  constexpr double limit = 1.001e-6;  // item 6 of "Time step" in docs/chains.md permits -1e-6
+  constexpr double limit = 1.001e-6;  // item 6 of "Time step" in docs/strands.md permits -1e-6
   constexpr double rounding = 1e-9;
   std::array<int, 4> acted{};
   for (int number = 0; number < 4; ++number) {

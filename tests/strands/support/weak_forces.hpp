@@ -1,5 +1,5 @@
 // Strands that weak wind or gravity bends, the distance of a simulation from the double-precision reference,
-// and the bound of this distance (docs/chains.md, section "Single precision").
+// and the bound of this distance (docs/strands.md, section "Single precision").
 #pragma once
 #include <gtest/gtest.h>
 
