@@ -17,7 +17,7 @@ add() { # SCENE CUT [OPTION...]
   oiiotool "$work/cell.png" "$work/sheet.png" --paste "+$x+0" -o "$work/sheet.png"
   x=$((x + 440))
 }
-add large-curls 880x960+200+0
+add wavy 880x960+200+0
 add monster 880x960+200+0 --pipeline strands
 add wet 880x960+200+0
 add grass 880x960+200+0

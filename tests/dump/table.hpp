@@ -36,34 +36,35 @@ inline std::string shape_of(const std::string& name, const Dumped& dump) {
 /// Returns one line per dataset. A dataset that all dumps have is written "always". The table of a single
 /// dump has no column "written".
 inline std::string table_of(const std::vector<Dumped>& dumps) {
-  std::set<std::string> names;
-  for (const Dumped& dump : dumps)
+  const bool single = dumps.size() == 1;
+  std::set<std::string> names, kinds;
+  for (const Dumped& dump : dumps) {
+    kinds.insert(dump.scenes);
     for (const auto& [name, found] : dump.file)
       if (!name.starts_with("fur_mip/") || name == "fur_mip/1") names.insert(name);
-  std::string text =
-      "| dataset | written | shape, type | units | content |\n| --- | --- | --- | --- | --- |\n";
+  }
+  std::string text = single ? "| dataset | shape, type | units | content |\n| --- | --- | --- | --- |\n"
+                            : "| dataset | written | shape, type | units | content |\n"
+                              "| --- | --- | --- | --- | --- |\n";
   for (const std::string& name : names) {
-    std::vector<std::string> scenes, shapes;
-    const Dataset* first = nullptr;
+    std::set<std::string> scenes, shapes;
+    Dataset one;
     for (const Dumped& dump : dumps) {
       const auto found = dump.file.find(name);
       if (found == dump.file.end()) continue;
-      if (!first) first = &found->second;
-      EXPECT_EQ(found->second.description, first->description) << name;
-      EXPECT_EQ(found->second.units, first->units) << name;
-      EXPECT_EQ(found->second.type, first->type) << name;
-      const std::string shape = shape_of(name, dump);
-      if (std::find(shapes.begin(), shapes.end(), shape) == shapes.end()) shapes.push_back(shape);
-      if (std::find(scenes.begin(), scenes.end(), dump.scenes) == scenes.end()) scenes.push_back(dump.scenes);
+      if (scenes.empty()) one = found->second;
+      EXPECT_EQ(found->second.description, one.description) << name;
+      EXPECT_EQ(found->second.units, one.units) << name;
+      EXPECT_EQ(found->second.type, one.type) << name;
+      scenes.insert(dump.scenes);
+      shapes.insert(shape_of(name, dump));
     }
-    EXPECT_NE(first->description, "") << name;
-    std::set<std::string> all;
-    for (const Dumped& dump : dumps) all.insert(dump.scenes);
-    const bool always = scenes.size() == all.size();
-    const std::string written = always ? "always" : fmt::format("{}", fmt::join(scenes, ", "));
-    text += fmt::format("| `{}` |{} {}, {} | {} | {} |\n", name == "fur_mip/1" ? "fur_mip/L" : name,
-                        single ? "" : " " + written + " |", fmt::format("{}", fmt::join(shapes, " or ")),
-                        first->type, first->units, first->description);
+    EXPECT_NE(one.description, "") << name;
+    text += fmt::format("| `{}` | ", name == "fur_mip/1" ? "fur_mip/L" : name);
+    if (!single)
+      text += fmt::format("{} | ", scenes == kinds ? "always" : fmt::format("{}", fmt::join(scenes, ", ")));
+    text +=
+        fmt::format("{}, {} | {} | {} |\n", fmt::join(shapes, " or "), one.type, one.units, one.description);
   }
   return text;
 }

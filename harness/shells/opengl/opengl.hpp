@@ -14,7 +14,7 @@
 namespace pelage {
 
 /// Implementation choices of the baseline. With the defaults, the pictures agree with those of the reference
-/// renderer. docs/baselines.md compares the times of all choices.
+/// renderer. results/README.md compares the times of all choices.
 struct OpenGlOptions {
   /// One draw call for all layers ("instanced"), or one per layer ("each").
   std::string draws = "instanced";
