@@ -44,16 +44,21 @@ step() {
   nvidia-smi 2>/dev/null
 } >"$out/provenance.txt"
 
+# Every step draws first with the device's own default mapping. The steps that decide whether the device is usable come
+# first, the longest steps last, so that a run that is ended early has shown most.
 step devices "$pelage" devices --measure
+step check-torus "$pelage" check --filter '^torus' "${on[@]}"
+timed() {
+  local name=$1
+  shift
+  step "$name" "$pelage" run "$@" --anonymous "${on[@]}" -o "$out/$name"
+  step "report-$name" "$pelage" report "$out/$name" -o "$out/report-$name"
+}
+timed table1 silva2010-table1 --preset "$preset"
+timed rivals rivals --preset "$preset"
 step check "$pelage" check "${on[@]}"
-for mapping in group tile; do
-  step "table1-$mapping" "$pelage" run silva2010-table1 --preset "$preset" --mapping "$mapping" --anonymous "${on[@]}" \
-    -o "$out/table1-$mapping"
-  step "report-$mapping" "$pelage" report "$out/table1-$mapping" -o "$out/report-$mapping"
-done
-step mappings "$pelage" compare "$out/table1-tile" "$out/table1-group" --by variant
-step rivals "$pelage" run rivals --preset "$preset" --anonymous "${on[@]}" -o "$out/rivals"
-step report-rivals "$pelage" report "$out/rivals" -o "$out/report-rivals"
+timed table1-pixel silva2010-table1 --preset "$preset" --mapping pixel
+step mappings "$pelage" compare "$out/table1" "$out/table1-pixel" --by variant
 
 if ((${#failed[@]})); then
   echo "gpu_check: FAILED: ${failed[*]}"

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "harness/cl/buffer.hpp"
+#include "harness/cl/builds.hpp"
 #include "harness/cl/choose.hpp"
 #include "harness/cl/drivers.hpp"
 #include "harness/error.hpp"
@@ -23,6 +24,7 @@ struct Device::State {
   // shared machine.
   mutable std::once_flag created;
   mutable cl_context context = nullptr;
+  mutable Builds builds;
 
   State() = default;
   State(const State&) = delete;
@@ -142,6 +144,10 @@ cl_context Device::context() const {
     check(code, fmt::format("clCreateContext on {}", info().name));
   });
   return state_->context;
+}
+
+Builds& Device::builds() const {
+  return state_->builds;
 }
 
 std::string DeviceInfo::spec() const {

@@ -26,12 +26,15 @@ struct DeviceInfo {
   std::string spec() const;  ///< platform index and device index, such as "0:0", as --device accepts them
 };
 
+class Builds;
+
 /// A device with its own context. Copies of the object share the device and the context.
 class Device {
  public:
   const DeviceInfo& info() const;
   cl_device_id id() const;
   cl_context context() const;
+  Builds& builds() const;    ///< the programs that were built for the context
   std::string spec() const;  ///< "PLATFORM:INDEX", as --device accepts it
 
  private:

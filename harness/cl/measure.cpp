@@ -11,6 +11,8 @@
 namespace pelage::cl {
 namespace {
 
+constexpr std::size_t group = 256;  // work-items per work-group; all launches have a multiple of them
+
 double seconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
@@ -39,10 +41,10 @@ double triad(const Queue& queue, const Program& program, std::size_t lanes) {
   // The arrays b and c are written once before the timed runs read them. Otherwise the operating system could
   // map all pages of both arrays to one shared page of zeros, and the kernel would read from the cache
   // instead of the memory.
-  for (const auto* array : {&b, &c}) clear.with(*array, a, a, 0.0f).enqueue(queue, floats / lanes);
+  for (const auto* array : {&b, &c}) clear.with(*array, a, a, 0.0f).enqueue(queue, floats / lanes, group);
   kernel.with(a, b, c, 0.5f);
   const double best = best_seconds(7, [&] {
-    kernel.enqueue(queue, floats / lanes);
+    kernel.enqueue(queue, floats / lanes, group);
     queue.finish();
   });
   return 3.0 * sizeof(float) * static_cast<double>(floats) / best * 1e-9;
@@ -55,7 +57,7 @@ double fma_peak(const Queue& queue, const Program& program, std::size_t lanes) {
   Kernel kernel(program, "chains");
   int rounds = 64;
   const auto run = [&] {
-    kernel.with(rounds, 0.5f, out).enqueue(queue, items);
+    kernel.with(rounds, 0.5f, out).enqueue(queue, items, group);
     queue.finish();
   };
   run();

@@ -45,7 +45,6 @@ std::vector<ProgramText> PairSort::program_texts(const Device& device, int runs)
 
 PairSort::PairSort(const Device& device, int runs)
     : runs_(checked(runs, layout_of(device))),
-      items_(layout_of(device).items),
       bits_(layout_of(device).bits),
       program_(device, program_texts(device, runs).front()),
       sum_(program_, "pair_total"),
@@ -72,18 +71,17 @@ void PairSort::sort(const Queue& queue, Buffer<Pair>& pair, const Buffer<std::in
     if (events) events->push_back(std::move(event));
   };
   if (other_.size() < pair.size()) other_ = Buffer<Pair>(queue.device(), pair.size());
-  const std::size_t items =
-      (std::size_t(runs_) + std::size_t(items_) - 1) / std::size_t(items_) * std::size_t(items_);
+  const auto runs = std::size_t(runs_);
   sum_.with(std::int32_t(runs_), live, total_);
   keep(sum_.enqueue(queue, 1, 1));
   int gaps = int(capacity);
   for (int shift = 0; shift < bits; shift += bits_) {
     count_.with(std::int32_t(runs_), gaps, shift, live, total_, pair, counts_);
-    keep(count_.enqueue(queue, items, std::size_t(items_)));
+    keep(count_.enqueue(queue, runs));
     if (scan_) scan_->scan(queue, counts_, counts_.size(), events, false);
     move_.with(std::int32_t(runs_), gaps, shift, std::int32_t(runs_ > few_runs), live, total_, counts_, pair,
                other_);
-    keep(move_.enqueue(queue, items, std::size_t(items_)));
+    keep(move_.enqueue(queue, runs));
     std::swap(pair, other_);
     gaps = 0;
   }

@@ -41,7 +41,7 @@ class PairSort {
   std::vector<const Program*> programs() const;
 
  private:
-  int runs_, items_, bits_;
+  int runs_, bits_;
   std::optional<RadixSort> scan_;  ///< empty for few runs
   Program program_;
   Kernel sum_, count_, move_;

@@ -2,29 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <utility>
 
-#include "harness/cl/build_ahead.hpp"
+#include "harness/cl/builds.hpp"
 #include "harness/cl/kernel_cache.hpp"
 #include "harness/error.hpp"
-#include "harness/hash.hpp"
 
 namespace pelage::cl {
 namespace fs = std::filesystem;
 namespace {
-
-std::string read_source(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file))
-    throw InputError(
-        fmt::format("{}: cannot be read: no such kernel file in the kernel folder", file.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string build_log(cl_program program, cl_device_id device) {
   std::size_t size = 0;
@@ -63,18 +53,6 @@ class IncludePath {
   fs::path path_, parent_;
 };
 
-void add_sources(const fs::path& folder, const std::string& file, Sources& found) {
-  if (found.contains(file)) return;
-  const std::string text = read_source(folder / file);
-  found[file] = Hash().text(text).value();
-  constexpr std::string_view include = "#include \"";
-  for (auto at = text.find(include); at != std::string::npos; at = text.find(include, at + 1)) {
-    const auto begin = at + include.size();
-    if (at == 0 || text[at - 1] == '\n')
-      add_sources(folder, text.substr(begin, text.find('"', begin) - begin), found);
-  }
-}
-
 std::string cache_advice(const BuiltProgram& built) {
   const fs::path folder = built.by_pocl ? kernel_cache() : fs::path();
   if (folder.empty()) return {};
@@ -85,47 +63,19 @@ std::string cache_advice(const BuiltProgram& built) {
       folder.string());
 }
 
-}  // namespace
-
-Sources sources_of(const fs::path& file) {
-  Sources found;
-  add_sources(kernel_folder(), file.generic_string(), found);
-  return found;
-}
-
-std::string hash_of(const Sources& sources) {
-  Hash hash;
-  for (const auto& [path, contents] : sources) hash.text(path).number(contents);
-  return hash.hex();
-}
-
-std::string hash_of(const std::vector<const Program*>& programs) {
-  Sources all;
-  for (const Program* program : programs) all.insert(program->sources().begin(), program->sources().end());
-  return hash_of(all);
-}
-
-std::map<std::string, std::string> hashes_by_file(const std::vector<const Program*>& programs) {
-  std::map<std::string, std::string> hashes;
-  for (const Program* program : programs) hashes[program->file()] = hash_of(program->sources());
-  return hashes;
-}
-
-BuiltProgram::~BuiltProgram() {
-  if (program != nullptr) clReleaseProgram(program);
-}
-
-std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text) {
-  // PoCL builds one program at a time anyway. The lock also protects the text that explain_aborts() sets.
+std::shared_ptr<const BuiltProgram> build(const Device& device, const ProgramText& text,
+                                          const SourceTexts& sources) {
+  // PoCL builds one program of a context at a time anyway. The lock also protects the text that
+  // explain_aborts() sets.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const fs::path folder = kernel_folder();
   const IncludePath include(folder);
-  const std::string source = read_source(folder / text.file);
+  const std::string& source = sources.at(text.file);
   auto built = std::make_shared<BuiltProgram>();
-  built->file = text.file;
+  built->text = text;
   built->by_pocl = device.info().platform.find("Portable Computing Language") != std::string::npos;
-  built->sources = sources_of(text.file);
+  built->sources = hashes_of(sources);
   const char* source_text = source.data();
   const std::size_t length = source.size();
   std::string all =
@@ -156,9 +106,33 @@ std::shared_ptr<const BuiltProgram> build_program(const Device& device, const Pr
   return built;
 }
 
-Program::Program(const Device& device, const ProgramText& text) : built_(BuildAhead::take(device, text)) {
-  if (!built_) built_ = build_program(device, text);
+}  // namespace
+
+std::string hash_of(const std::vector<const Program*>& programs) {
+  Sources all;
+  for (const Program* program : programs) all.insert(program->sources().begin(), program->sources().end());
+  return hash_of(all);
 }
+
+std::map<std::string, std::string> hashes_by_file(const std::vector<const Program*>& programs) {
+  std::map<std::string, std::string> hashes;
+  for (const Program* program : programs) hashes[program->file()] = hash_of(program->sources());
+  return hashes;
+}
+
+BuiltProgram::~BuiltProgram() {
+  if (program != nullptr) clReleaseProgram(program);
+}
+
+std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text) {
+  const SourceTexts sources = source_texts(text.file);
+  const ProgramText needed{text.file, options_read(text.options, sources)};
+  const std::string key = fmt::format("{}\n{}\n{}\n{}", kernel_folder().string(), needed.file, needed.options,
+                                      hash_of(hashes_of(sources)));
+  return device.builds().get(key, [&] { return build(device, needed, sources); });
+}
+
+Program::Program(const Device& device, const ProgramText& text) : built_(build_program(device, text)) {}
 
 std::string Program::cache_advice() const {
   return cl::cache_advice(*built_);
@@ -204,12 +178,16 @@ Kernel::~Kernel() {
 }
 
 Kernel::Kernel(Kernel&& other) noexcept
-    : kernel_(std::exchange(other.kernel_, nullptr)), name_(std::move(other.name_)), bytes_(other.bytes_) {}
+    : kernel_(std::exchange(other.kernel_, nullptr)),
+      name_(std::move(other.name_)),
+      bytes_(other.bytes_),
+      groups_(other.groups_) {}
 
 Kernel& Kernel::operator=(Kernel&& other) noexcept {
   std::swap(kernel_, other.kernel_);
   std::swap(name_, other.name_);
   std::swap(bytes_, other.bytes_);
+  std::swap(groups_, other.groups_);
   return *this;
 }
 
@@ -222,21 +200,53 @@ void Kernel::set_bytes(cl_uint index, std::size_t bytes, const void* value) {
   check(clSetKernelArg(kernel_, index, bytes, value), fmt::format("clSetKernelArg {} of {}", index, name_));
 }
 
-Event Kernel::enqueue(const Queue& queue, std::array<std::size_t, 2> global,
-                      std::array<std::size_t, 2> local) const {
+const Kernel::Groups& Kernel::groups(const Queue& queue) const {
+  if (groups_.most > 0) return groups_;
+  const auto ask = [&](cl_kernel_work_group_info what, void* value, std::size_t bytes) {
+    check(clGetKernelWorkGroupInfo(kernel_, queue.device().id(), what, bytes, value, nullptr),
+          fmt::format("clGetKernelWorkGroupInfo of {}", name_));
+  };
+  std::array<std::size_t, 3> required{};
+  std::size_t most = 0;
+  ask(CL_KERNEL_COMPILE_WORK_GROUP_SIZE, required.data(), sizeof required);
+  ask(CL_KERNEL_WORK_GROUP_SIZE, &most, sizeof most);
+  groups_ = {required[0], std::max<std::size_t>(most, 1)};
+  return groups_;
+}
+
+Event Kernel::launch(const Queue& queue, unsigned dimensions, std::array<std::size_t, 2> items,
+                     std::array<std::size_t, 2> group) const {
+  // A size that the kernel requires cannot change. If it does not fit, the driver reports the error.
+  if (const Groups& sizes = groups(queue); sizes.required == 0)
+    while (group[0] * group[1] > sizes.most) group[group[1] > group[0] ? 1 : 0] /= 2;
+  for (std::size_t i = 0; i < 2; ++i) items[i] = (items[i] + group[i] - 1) / group[i] * group[i];
   cl_event event = nullptr;
-  check(clEnqueueNDRangeKernel(queue.get(), kernel_, 2, nullptr, global.data(),
-                               local[0] > 0 ? local.data() : nullptr, 0, nullptr, &event),
-        fmt::format("clEnqueueNDRangeKernel of {} over {} x {}", name_, global[0], global[1]));
+  check(clEnqueueNDRangeKernel(queue.get(), kernel_, dimensions, nullptr, items.data(), group.data(), 0,
+                               nullptr, &event),
+        fmt::format("clEnqueueNDRangeKernel of {} over {} x {} in groups of {} x {}", name_, items[0],
+                    items[1], group[0], group[1]));
   return Event(event, name_, bytes_);
 }
 
-Event Kernel::enqueue(const Queue& queue, std::size_t global, std::size_t local) const {
-  cl_event event = nullptr;
-  check(clEnqueueNDRangeKernel(queue.get(), kernel_, 1, nullptr, &global, local > 0 ? &local : nullptr, 0,
-                               nullptr, &event),
-        fmt::format("clEnqueueNDRangeKernel of {} over {}", name_, global));
-  return Event(event, name_, bytes_);
+Event Kernel::enqueue(const Queue& queue, std::array<std::size_t, 2> items,
+                      std::array<std::size_t, 2> group) const {
+  return launch(queue, 2, items, group);
+}
+
+Event Kernel::enqueue(const Queue& queue, std::size_t items, std::size_t group) const {
+  if (group == 0) group = groups(queue).required;
+  if (group == 0) group = usual_group(queue.device().info());
+  return launch(queue, 1, {items, 1}, {group, 1});
+}
+
+Event Kernel::enqueue_loop(const Queue& queue, std::size_t count) const {
+  const DeviceInfo& device = queue.device().info();
+  const std::size_t most = 32 * std::size_t(device.compute_units) * usual_group(device);
+  return enqueue(queue, device.cpu ? std::min(count, most) : count);
+}
+
+std::size_t usual_group(const DeviceInfo& device) {
+  return device.lanes > 1 ? 1 : 64;
 }
 
 }  // namespace pelage::cl

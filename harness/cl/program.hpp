@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "harness/cl/buffer.hpp"
+#include "harness/cl/sources.hpp"
 
 namespace pelage::cl {
 
@@ -22,16 +23,6 @@ namespace pelage::cl {
 /// exist.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
-
-/// Maps the path of a kernel file, relative to the kernel folder, to the hash of the file's contents.
-using Sources = std::map<std::string, std::uint64_t>;
-
-/// Returns the hashes of `file` and of every file that it includes, directly or indirectly. Throws InputError
-/// if a file is missing.
-Sources sources_of(const std::filesystem::path& file);
-
-/// Returns 16 hex digits: the FNV-1a hash of the paths and contents of the files.
-std::string hash_of(const Sources& sources);
 
 /// What identifies a program: its file in the kernel folder and its build options.
 struct ProgramText {
@@ -46,21 +37,21 @@ struct BuiltProgram {
   BuiltProgram(const BuiltProgram&) = delete;
   BuiltProgram& operator=(const BuiltProgram&) = delete;
   cl_program program = nullptr;
-  std::string file, log;
+  ProgramText text;  ///< with the options that the sources read
+  std::string log;
   Sources sources;
   double build_ms = 0;
   bool by_pocl = false;
 };
 
-/// Builds kernels/<text.file> with the options -I kernels and `text.options`. If the build fails, throws
-/// DeviceError with the build log and the options. Several threads may call this function; the builds run one
-/// at a time.
+/// Returns the program kernels/<text.file>, built with the options -I kernels and those of `text.options`
+/// that the sources read (options_read()). Builds it unless the process has built it for this device before;
+/// if another thread is building it, waits for this thread. If the build fails, throws DeviceError with the
+/// build log and the options. Several threads may call this function; the builds run one at a time.
 std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text);
 
 class Program {
  public:
-  /// Builds the program like build_program(), unless a BuildAhead (build_ahead.hpp) has built it or is about
-  /// to. In this case, the constructor waits for that build.
   Program(const Device& device, const ProgramText& text);
   Program(const Device& device, const std::string& file, const std::string& options = {})
       : Program(device, ProgramText{file, options}) {}
@@ -69,7 +60,8 @@ class Program {
   cl_program get() const { return built_->program; }
   const std::string& log() const { return built_->log; }
   double build_ms() const { return built_->build_ms; }
-  const std::string& file() const { return built_->file; }  ///< path of the file in the kernel folder
+  const ProgramText& text() const { return built_->text; }  ///< with the options that the sources read
+  const std::string& file() const { return text().file; }   ///< path of the file in the kernel folder
   const Sources& sources() const { return built_->sources; }
   /// Text to append to the error message if the driver does not find a kernel. PoCL does not find a kernel if
   /// a file in its folder of compiled kernels is damaged; the text advises the user to delete this folder.
@@ -124,12 +116,31 @@ class Kernel {
     (set(index++, values), ...);
     return *this;
   }
-  /// Enqueues the kernel over `global` work-items. If `local` is 0, the driver selects the work-group size.
-  Event enqueue(const Queue& queue, std::array<std::size_t, 2> global,
-                std::array<std::size_t, 2> local = {0, 0}) const;
-  Event enqueue(const Queue& queue, std::size_t global, std::size_t local = 0) const;
+  /// Enqueues the kernel over at least `items` work-items, in work-groups of `group` work-items. The number
+  /// of work-items is rounded up to a multiple of the group size, so the kernel must ignore the work-items
+  /// from `items` on. If `group` is 0, the size is the one that the kernel requires (reqd_work_group_size),
+  /// or else usual_group(). If the device cannot run the kernel in groups of this size, the size is halved
+  /// until it can.
+  ///
+  /// The driver never selects the size: PoCL compiles a kernel again for each size, and the drivers' sizes
+  /// are divisors of `items`, which depends on the mesh.
+  Event enqueue(const Queue& queue, std::size_t items, std::size_t group = 0) const;
+  Event enqueue(const Queue& queue, std::array<std::size_t, 2> items, std::array<std::size_t, 2> group) const;
+  /// Enqueues a kernel that loops over `count` elements with the step get_global_size(0). A work-item
+  /// processes one element on a GPU and many on a CPU, because PoCL copies the parameters for every
+  /// work-item.
+  Event enqueue_loop(const Queue& queue, std::size_t count) const;
 
  private:
+  /// The sizes of work-groups that a device permits for the kernel.
+  struct Groups {
+    std::size_t required = 0;  ///< the size that the kernel requires; 0: none
+    std::size_t most = 0;      ///< CL_KERNEL_WORK_GROUP_SIZE; 0: not yet known
+  };
+  const Groups& groups(const Queue& queue) const;
+  Event launch(const Queue& queue, unsigned dimensions, std::array<std::size_t, 2> items,
+               std::array<std::size_t, 2> group) const;
+
   template <class T>
   void set(cl_uint index, const Buffer<T>& buffer) {
     set_memory(index, buffer.get());
@@ -150,6 +161,11 @@ class Kernel {
   cl_kernel kernel_ = nullptr;
   std::string name_;
   std::size_t bytes_ = 0;
+  mutable Groups groups_;
 };
+
+/// The usual number of work-items of a work-group: 1 where a work-item computes several lanes, so that few
+/// work-items are distributed evenly over the cores, and 64 on other devices.
+std::size_t usual_group(const DeviceInfo& device);
 
 }  // namespace pelage::cl

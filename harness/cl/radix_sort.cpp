@@ -10,9 +10,9 @@ namespace pelage::cl {
 namespace {
 
 // Constants of the kernels in kernels/common/prefix_sum.clh and kernels/common/radix_sort.cl. The constructor
-// passes all of them except sort_items as build options. sort_items is the work-group size of the sort.
+// passes them as build options.
 constexpr std::size_t scan_items = 64, scan_block = scan_items * 16;
-constexpr std::size_t sort_items = 64, sort_run = 32;
+constexpr std::size_t sort_run = 32;
 constexpr int sort_bits = 4;
 
 std::size_t ceil_div(std::size_t a, std::size_t b) {
@@ -55,13 +55,13 @@ std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& val
     if (sums_.size() == level) sums_.emplace_back();
     grow(queue, sums_[level], blocks);
     blocks_.with(std::int32_t(length[level]), level == 0 ? value : sums_[level - 1], sums_[level]);
-    keep(events, blocks_.enqueue(queue, blocks * scan_items, scan_items));
+    keep(events, blocks_.enqueue(queue, blocks * scan_items));
     length.push_back(blocks);
     ++level;
   } while (length[level] > 1);
   for (std::size_t i = level - 1; i-- > 0;) {
     add_.with(std::int32_t(length[i]), sums_[i], i == 0 ? value : sums_[i - 1]);
-    keep(events, add_.enqueue(queue, length[i]));
+    keep(events, add_.enqueue_loop(queue, length[i]));
   }
   std::array<std::int32_t, 1> sum{};
   if (read_sum) sums_[level - 1].read(queue, sum);
@@ -72,16 +72,15 @@ void RadixSort::sort(const Queue& queue, Buffer<std::int32_t>& key, Buffer<std::
                      std::size_t count, int bits, std::vector<Event>* events) {
   if (count == 0) return;
   const std::size_t runs = ceil_div(count, sort_run), digits = runs << sort_bits;
-  const std::size_t items = ceil_div(runs, sort_items) * sort_items;
   grow(queue, digits_, digits);
   grow(queue, other_key_, count);
   grow(queue, other_value_, count);
   for (int shift = 0; shift < bits; shift += sort_bits) {
     count_.with(std::int32_t(count), shift, key, digits_);
-    keep(events, count_.enqueue(queue, items, sort_items));
+    keep(events, count_.enqueue(queue, runs));
     scan(queue, digits_, digits, events, false);
     move_.with(std::int32_t(count), shift, digits_, key, value, other_key_, other_value_);
-    keep(events, move_.enqueue(queue, items, sort_items));
+    keep(events, move_.enqueue(queue, runs));
     std::swap(key, other_key_);
     std::swap(value, other_value_);
   }

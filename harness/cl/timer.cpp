@@ -58,14 +58,14 @@ TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batc
 TimerCheck check_timer(const Queue& queue) {
   const Program program(queue.device(), "measure/measure.cl");
   Kernel load(program, "chains");
-  constexpr std::size_t items = 1 << 14;
+  constexpr std::size_t items = 1 << 14, group = 256;
   const Buffer<float> out(queue.device(), items);
 
   // The loop below doubles the number of rounds in the kernel until one launch takes at least 20 ms. Compared
   // with this time, the overhead of a launch is negligible, and the test remains short.
   const auto run = [&](int rounds) {
     const auto start = std::chrono::steady_clock::now();
-    load.with(rounds, 0.5f, out).enqueue(queue, items);
+    load.with(rounds, 0.5f, out).enqueue(queue, items, group);
     queue.finish();
     return milliseconds_since(start);
   };
@@ -77,7 +77,7 @@ TimerCheck check_timer(const Queue& queue) {
   for (int attempt = 0; attempt < 3 && !result.real; ++attempt) {
     std::array<Event, 5> events;
     const auto start = std::chrono::steady_clock::now();
-    for (Event& event : events) event = load.enqueue(queue, items);
+    for (Event& event : events) event = load.enqueue(queue, items, group);
     queue.finish();
     const double wall = milliseconds_since(start);
     std::array<Stamps, 5> batch;

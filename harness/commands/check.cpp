@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <set>
 
+#include "harness/cl/mapping_names.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/check_scenes.hpp"
 #include "harness/compare/frame_output.hpp"
@@ -24,12 +25,12 @@
 namespace pelage {
 namespace {
 
-constexpr int frames = 30;          // number of simulated frames of 1/60 s each; the last one is drawn
+constexpr int shell_frames = 30;    // number of simulated frames of 1/60 s each; the last one is drawn
 constexpr int hashed_frames = 100;  // number of frames of strands in one hash
 
 struct CheckOptions {
   std::vector<std::string> stages;
-  std::string device, filter;
+  std::string device, mapping, filter;
   bool full = false, hashes = false;
 };
 
@@ -44,19 +45,21 @@ FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> inp
   ShellOptions options;
   options.mapping = mapping;
   Shells shells(device, std::move(input), options);
-  shells.advance(frames - 1);
+  shells.advance(shell_frames - 1);
   shells.frame();
-  return {mapping, frames, shells.tips(), {}, shells.mask(), shells.read()};
+  return {mapping, shell_frames, shells.tips(), {}, shells.mask(), shells.read()};
 }
 
 /// Compares a time step of the chains (stage "chains") and a picture (stage "strands").
 std::vector<StageCheck> check_strands(const cl::Device& device, const CheckScene& which,
-                                      const std::set<std::string>& stages) {
+                                      const std::set<std::string>& stages, const std::string& mapping) {
   std::vector<StageCheck> all;
   if (!stages.contains("chains") && !stages.contains("strands")) return all;
   const auto input = strands::prepare_strands(which.scene, load_scene_mesh(which.scene));
-  strands::Strands strands(device, input);
-  strands.advance(frames - 1);
+  strands::DrawerOptions options;
+  options.mapping = strands::drawing_named(mapping);
+  strands::Strands strands(device, input, options);
+  strands.advance(shell_frames - 1);
   strands.frame();
   StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
   frame.curves = strands.curves();
@@ -74,22 +77,22 @@ std::vector<StageCheck> check_strands(const cl::Device& device, const CheckScene
 }
 
 std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& which,
-                                    const std::set<std::string>& stages) {
-  if (which.strands) return check_strands(device, which, stages);
+                                    const std::set<std::string>& stages, const std::string& mapping) {
+  if (which.strands) return check_strands(device, which, stages, mapping);
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
-  const std::string& first = mappings().front();
+  const std::string first = offered_mapping(mapping, device.info());
   const FrameOutput drawn = draw(device, input, first);
   std::vector<StageCheck> all;
-  const auto add = [&](const std::string& stage, const std::string& mapping,
+  const auto add = [&](const std::string& stage, const std::string& drawn_by,
                        const std::vector<Check>& checks) {
     for (Check check : checks) {
-      if (!mapping.empty()) check.metric += fmt::format(", {}", mapping);
+      if (!drawn_by.empty()) check.metric += fmt::format(", {}", drawn_by);
       all.push_back({stage, check});
     }
   };
   const bool picture = stages.contains("picture"), others = stages.contains("mappings");
   const FrameOutput reference =
-      picture ? reference_output(*input, frames, false) : reference_motion(*input, frames);
+      picture ? reference_output(*input, shell_frames, false) : reference_motion(*input, shell_frames);
   if (which.motion && stages.contains("simulate")) {
     const TipErrors errors = tip_errors(double(which.scene.fur.length), drawn.tips, reference.tips);
     add("simulate", "", {check_worst_tip(errors), check_usual_tip(errors)});
@@ -103,12 +106,12 @@ std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& 
         picture_checks(against_reference, compare(output.image, reference.image)));
   };
   if (picture) add_picture(drawn);
-  if (!picture && !others) return all;
-  for (const std::string& mapping : mappings()) {
-    if (mapping == first) continue;
-    const FrameOutput other = draw(device, input, mapping);
+  if (!mapping.empty() || (!picture && !others)) return all;
+  for (const std::string& name : mappings_on(device.info())) {
+    if (name == first) continue;
+    const FrameOutput other = draw(device, input, name);
     if (picture) add_picture(other);
-    if (others) add("mappings", mapping, mapping_checks(first, drawn.image, other.image));
+    if (others) add("mappings", name, mapping_checks(first, drawn.image, other.image));
   }
   return all;
 }
@@ -125,7 +128,7 @@ std::string hash_of(const std::vector<T>& values) {
 
 /// Prints a hash of the simulated masses for every topology and solver. For the default solver it also prints
 /// a hash of the picture.
-void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
+void print_spring_hashes(const cl::Device& device, const CheckScene& which, const std::string& mapping) {
   const auto mesh = load_scene_mesh(which.scene);
   for (const springs::Kind kind : springs::kinds) {
     Scene scene = which.scene;
@@ -135,7 +138,7 @@ void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
       input.scene.dynamics.solver = std::string(solver.name);
       const std::string what = fmt::format("{}, {}", springs::name(kind), springs::name(solver));
       ShellOptions options;
-      options.mapping = mappings().front();
+      options.mapping = mapping;
       Shells shells(device, std::make_shared<FrameInput>(input), options);
       try {
         if (solver == springs::default_solver) {
@@ -169,17 +172,22 @@ void print_strand_hashes(const cl::Device& device, const CheckScene& which) {
   }
 }
 
-/// For every mapping of pixels to work-items, prints hashes of the strands' tips, the wetness mask and the
+/// For every mapping in `drawn`, prints hashes of the strands' tips, the wetness mask and the
 /// picture. Then calls print_spring_hashes().
-void print_hashes(const cl::Device& device, const CheckScene& which) {
+void print_hashes(const cl::Device& device, const CheckScene& which, const std::vector<std::string>& drawn) {
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
-  for (const std::string& mapping : mappings()) {
+  for (const std::string& mapping : drawn) {
     const FrameOutput output = draw(device, input, mapping);
     print_hash(which, mapping + ", tips", hash_of(output.tips));
     print_hash(which, mapping + ", mask", hash_of(output.mask));
     print_hash(which, mapping + ", picture", hash_of(output.image.pixel));
   }
-  print_spring_hashes(device, which);
+  print_spring_hashes(device, which, drawn.front());
+}
+
+/// Returns true if `mapping`, a value of --mapping, can draw the case. Strands have no mapping `pixel`.
+bool draws(const std::string& mapping, const CheckScene& which) {
+  return !which.strands || mapping.empty() || mapping == cl::item_mapping || mapping == cl::group_mapping;
 }
 
 /// Returns the cases whose names contain a match of the regular expression `filter`. Throws InputError if the
@@ -196,12 +204,21 @@ int run_checks(const CheckOptions& options) {
   if (stages.empty()) stages = {"simulate", "mask", "picture", "mappings", "chains", "strands"};
   std::vector<CheckScene> cases = filtered(check_scenes(options.full), options.filter);
   const cl::Device device = cl::choose_device(options.device);
+  // With --mapping, the checks draw with this mapping only.
+  if (!options.mapping.empty()) {
+    offered_mapping(options.mapping, device.info());
+    std::erase_if(cases, [&](const CheckScene& which) { return !draws(options.mapping, which); });
+    if (options.stages.size() == 1 && stages.contains("mappings"))
+      throw InputError("--mapping: the stage mappings compares all mappings; omit one of the two");
+  }
   if (options.hashes) {
+    const std::vector<std::string> drawn =
+        options.mapping.empty() ? mappings_on(device.info()) : std::vector{options.mapping};
     for (const CheckScene& which : cases) {
       if (which.strands)
         print_strand_hashes(device, which);
       else
-        print_hashes(device, which);
+        print_hashes(device, which, drawn);
       std::fflush(stdout);
     }
     return 0;
@@ -211,7 +228,7 @@ int run_checks(const CheckOptions& options) {
   std::size_t failures = 0, done = 0;
   for (const CheckScene& which : cases) {
     fmt::print(stderr, "{}/{} {}\n", ++done, cases.size(), which.name);
-    for (const auto& [stage, check] : check_scene(device, which, stages)) {
+    for (const auto& [stage, check] : check_scene(device, which, stages, options.mapping)) {
       fmt::print("{:<9} {:<26} {:<34} {:>10.4g} {} {:>7.4g}  {}\n", stage, which.name, check.metric,
                  check.value, check.at_least ? ">=" : "<=", check.limit, check.holds() ? "ok" : "FAILED");
       failures += !check.holds();
@@ -237,6 +254,13 @@ void add_check(CLI::App& app, Chosen& chosen) {
       ->type_name("STAGE");
   command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
+  command
+      ->add_option("--mapping", options->mapping,
+                   "Draw with this mapping only (default: with every mapping that suits the device, its own "
+                   "default first): " +
+                       mappings_help())
+      ->check(CLI::IsMember(mappings()))
+      ->type_name("NAME");
   command
       ->add_option("--filter", options->filter,
                    "Use only the cases whose names match this regular expression, for instance torus")

@@ -9,6 +9,7 @@
 #include "harness/dump/strands.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/picture_scene.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/strands/opencl/program_texts.hpp"
 #include "harness/strands/opencl/strands.hpp"
@@ -16,7 +17,7 @@
 namespace pelage {
 namespace {
 
-std::string text_of(const cl::Device& device) {
+std::string label_of(const cl::Device& device) {
   return fmt::format("{}, {} {}", device.info().name, device.info().platform, device.info().driver);
 }
 
@@ -43,13 +44,17 @@ double draw_at(Pipeline& pipeline, const DynamicsScene& dynamics) {
 
 class ShellsRenderer : public SceneRenderer {
  public:
-  explicit ShellsRenderer(const RendererOptions& options) : device_(cl::choose_device(options.device)) {
-    options_.mapping = options.mapping;
+  ShellsRenderer(const RendererOptions& options, const Scene& scene)
+      : device_(cl::choose_device(options.device)) {
+    options_.mapping = offered_mapping(options.mapping, device_.info());
+    options_.refine = false;  // a single picture costs less than the refinement
+    ahead_ = std::make_unique<cl::BuildAhead>(device_, shells::expected_programs(device_, scene, options_));
   }
-  std::string device() const override { return text_of(device_); }
+  std::string device() const override { return label_of(device_); }
 
   DrawnFrame draw(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) override {
     update(scene, mesh);
+    if (++pictures_ == 2) shells_->refine();
     DrawnFrame frame;
     frame.ms = draw_at(*shells_, scene.dynamics);
     frame.image = shells_->read();
@@ -75,6 +80,7 @@ class ShellsRenderer : public SceneRenderer {
       input_ = prepare(scene, mesh);
       shells_ = std::make_shared<Shells>(device_, input_, options_);
       points_.clear();
+      pictures_ = 0;
     } else if (!equal_except(input_->scene, scene, only_later)) {
       if (points_.empty()) points_ = framed_points(*input_);
       input_ = with_view(*input_, scene, points_);
@@ -84,8 +90,10 @@ class ShellsRenderer : public SceneRenderer {
 
   cl::Device device_;
   ShellOptions options_;
+  std::unique_ptr<cl::BuildAhead> ahead_;
   std::shared_ptr<const FrameInput> input_;
   std::shared_ptr<Shells> shells_;
+  int pictures_ = 0;               ///< number of pictures that shells_ has drawn
   std::vector<glm::vec3> points_;  ///< framed_points() of input_, or empty
 };
 
@@ -96,7 +104,7 @@ class StrandsRenderer : public SceneRenderer {
     options_.mapping = strands::drawing_named(options.mapping);
     ahead_ = std::make_unique<cl::BuildAhead>(device_, strands::expected_programs(device_, scene, options_));
   }
-  std::string device() const override { return text_of(device_); }
+  std::string device() const override { return label_of(device_); }
 
   DrawnFrame draw(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) override {
     update(scene, mesh);
@@ -141,8 +149,8 @@ class StrandsRenderer : public SceneRenderer {
 
 }  // namespace
 
-std::unique_ptr<SceneRenderer> open_shells(const RendererOptions& options, const Scene&) {
-  return std::make_unique<ShellsRenderer>(options);
+std::unique_ptr<SceneRenderer> open_shells(const RendererOptions& options, const Scene& scene) {
+  return std::make_unique<ShellsRenderer>(options, scene);
 }
 
 std::unique_ptr<SceneRenderer> open_strands(const RendererOptions& options, const Scene& scene) {

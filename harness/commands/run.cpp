@@ -110,7 +110,7 @@ std::vector<cl::Device> chosen_devices(const std::string& wanted) {
 /// this beginning by "shells/MAPPING".
 Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   if (!which.mapping.empty()) return which;
-  which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;
+  which.mapping = offered_mapping(options.mapping, device.info());
   if (which.variant.starts_with(default_variant))
     which.variant.replace(0, default_variant.size(), fmt::format("{}/{}", default_pipeline, which.mapping));
   return which;

@@ -10,6 +10,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/hash.hpp"
+#include "harness/journal/field.hpp"
 #include "harness/journal/part_hashes.hpp"
 
 namespace pelage {
@@ -40,19 +41,6 @@ double median_of(Times times) {
 
 bool equal(double a, double b) {
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
-}
-
-/// Returns the text that the row's provenance stores under `key`, or "" if there is none.
-std::string text(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-/// Returns the number that the row's provenance stores under `key`, or no value if there is none.
-std::optional<double> number(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  if (found == row.provenance.end() || !found->is_number()) return {};
-  return found->get<double>();
 }
 
 /// The weakest limit that any version of pelage has used for a check of a picture. If `at_least` is true, the

@@ -9,17 +9,13 @@
 #include <set>
 
 #include "harness/error.hpp"
+#include "harness/journal/field.hpp"
 #include "harness/journal/part_hashes.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
 
 /// Returns the path of the journal to which a row is written, relative to the folder that the merge creates.
 fs::path journal_of(const FoundRow& found) {

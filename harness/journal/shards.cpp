@@ -8,22 +8,18 @@
 #include <cstdio>
 #include <utility>
 
+#include "harness/journal/field.hpp"
+
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Returns the number that the row's provenance stores under `key`, or 0 if there is none.
-std::size_t number(const Row& row, const char* key) {
+std::size_t count(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   if (found == row.provenance.end() || !found->is_number_integer()) return 0;
   return std::size_t(std::max(found->get<std::int64_t>(), std::int64_t(0)));
-}
-
-/// Returns the text that the row's provenance stores under `key`, or "" if there is none.
-std::string text(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 /// Data collected from the rows of one shard: the measurements that the shard contains, and the numbers of
@@ -38,9 +34,9 @@ struct ShardRows {
 
   void add(const Row& row) {
     measured[{row.case_name, row.repeat}] |= row.status != Status::error;
-    cases = std::max(cases, number(row, "shard_cases"));
-    all_cases = std::max(all_cases, number(row, "all_cases"));
-    repeats = std::max(repeats, number(row, "repeats"));
+    cases = std::max(cases, count(row, "shard_cases"));
+    all_cases = std::max(all_cases, count(row, "all_cases"));
+    repeats = std::max(repeats, count(row, "repeats"));
     if (const std::string deal = text(row, "shard_deal"); !deal.empty()) deals.insert(deal);
   }
   void add(const ShardRows& other) {

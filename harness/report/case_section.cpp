@@ -44,10 +44,6 @@ std::vector<std::string> present(const Table& table, const std::vector<std::stri
   return result;
 }
 
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
-
 /// For each case, divides the frame time of every variant by the frame time of the fastest variant in this
 /// case. Returns the geometric mean of these ratios over the cases, for each variant.
 std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {

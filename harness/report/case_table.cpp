@@ -16,10 +16,6 @@
 namespace pelage {
 namespace {
 
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
-
 /// Returns the rank by which the columns of the axes are sorted: first the model, then all other axes, then
 /// the number of layers, then the picture size.
 int rank(const std::string& axis) {

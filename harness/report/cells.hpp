@@ -52,6 +52,11 @@ struct Cell {
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
 };
 
+/// Whether the cell's rows are ok and have times.
+inline bool timed(const Cell& cell) {
+  return cell.status == Status::ok && cell.median_ms > 0;
+}
+
 /// Returns the settings that the user changed on the command line: "fur.length=0.1; size=800x600". Returns ""
 /// without changes.
 std::string changes_of(const Cell& cell);

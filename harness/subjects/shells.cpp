@@ -68,8 +68,9 @@ class ShellsSubject : public Subject {
   void describe(Row& row) override {
     row.build_ms = shells_.build_ms();
     row.tuning = options_.tuning;
-    row.metrics["wet_ms"] = {shells_.wet_ms(), "ms"};
-    row.metrics["per_mask_ms"] = {shells_.per_mask_ms(), "ms"};
+    const Shells::MaskTime mask = shells_.mask_time();
+    row.metrics["wet_ms"] = {mask.all, "ms"};
+    row.metrics["per_mask_ms"] = {mask.after_mask, "ms"};
     row.metrics["covered_fragments"] = {double(shells_.count()), "fragments"};
     row.metrics["triangles"] = {double(input_->mesh->triangle.size()), "triangles"};
     row.metrics["model_height"] = {model_height(shells_.read()), "1"};

@@ -95,6 +95,7 @@ enum { FACES_ALL, FACES_FRONT, FACES_BACK_THEN_FRONT };
 // triangle faces away from the eye and blend.faces is not "all".
 #define REACH_BITS 0xffff
 #define FOOTPRINTS 4            // sizes of a pixel for which footprint_reach.clh computes the reach of a triangle
+#define REPEAT_WORDS(mask_size) ((mask_size) / 32 + 4)  // words of a row of mask_repeats (footprint_reach.clh)
 #define FACES_AWAY 0x10000
 
 // Readings of S Eq. 5, in the order of the values of the scene key clump.scale.

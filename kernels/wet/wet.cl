@@ -7,13 +7,13 @@
 // all entries. surface: x, y, z of the surface point under each texel, in mesh radii.
 __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket_row, TABLE(int) bucket_drop,
                            TABLE(float) surface, __global float *mask) {
-  int x = (int)get_global_id(0), y = (int)get_global_id(1);
-  if (x >= s.size || y >= s.size) return;
-  int texel = y * s.size + x, bucket = bucket_of(&s, texel);
-  Clump m = dry_clump();
-  for (int k = bucket_row[bucket], end = bucket_row[bucket + 1]; k < end;) {
-    Cover c = next_cover(&s, droplets, bucket_drop, surface, texel, &k, end);
-    if (c.drop >= 0) m = covered(&s, m, droplets + DROP_COLUMNS * c.drop, droplets[DROP_COLUMNS * c.drop + DROP_WETNESS], c.inside);
+  FOR_EACH(texel, s.size * s.size) {
+    int bucket = bucket_of(&s, texel);
+    Clump m = dry_clump();
+    for (int k = bucket_row[bucket], end = bucket_row[bucket + 1]; k < end;) {
+      Cover c = next_cover(&s, droplets, bucket_drop, surface, texel, &k, end);
+      if (c.drop >= 0) m = covered(&s, m, droplets + DROP_COLUMNS * c.drop, droplets[DROP_COLUMNS * c.drop + DROP_WETNESS], c.inside);
+    }
+    store_clump(mask, texel, m);
   }
-  store_clump(mask, texel, m);
 }

@@ -49,7 +49,7 @@ TEST(Written, WhereTheHostSays) {
   const std::vector<float> zeros(4);
   const cl::Buffer<float> out(queue, zeros);
   cl::Kernel kernel(cl::Program(queue.device(), "write.cl"), "write");
-  kernel.with(planted != nullptr ? std::atoi(planted) : 3, out).enqueue(queue, std::size_t{1});
+  kernel.with(planted != nullptr ? std::atoi(planted) : 3, out).enqueue(queue, 1, 1);
   if (planted == nullptr) {
     EXPECT_EQ(out.read(queue).back(), 1.0f);
   }

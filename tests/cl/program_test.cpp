@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Pair {
+struct Change {
   float scale;
   int shift;
 };
@@ -43,8 +43,8 @@ class Programs : public ::testing::Test {
 
 const char* const scaling = R"(
 #include "factor.clh"
-typedef struct { float scale; int shift; } Pair;
-__kernel void scaled(__global const float *in, Pair pair, uint count, __global float *out) {
+typedef struct { float scale; int shift; } Change;
+__kernel void scaled(__global const float *in, Change pair, uint count, __global float *out) {
   size_t i = get_global_id(0);
   if (i < count) out[i] = FACTOR * pair.scale * in[i] + pair.shift;
 }
@@ -65,7 +65,7 @@ TEST_F(Programs, TakeBuffersAndRecordsInOrder) {
     const cl::Program program(device_, "scaling.cl", options);
     EXPECT_GT(program.build_ms(), 0);
     cl::Kernel kernel(program, "scaled");
-    kernel.with(in, Pair{0.5f, 7}, static_cast<cl_uint>(values.size()), out).enqueue(queue, 1024);
+    kernel.with(in, Change{0.5f, 7}, static_cast<cl_uint>(values.size()), out).enqueue(queue, 1024);
     const std::vector<float> result = out.read(queue);
     for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(result[i], factor * 0.5f * values[i] + 7) << i;
   }
@@ -77,8 +77,57 @@ TEST_F(Programs, LaunchTwoDimensions) {
   const cl::Queue queue(device_);
   const cl::Buffer<std::uint32_t> out(device_, 12);
   const cl::Program program(device_, "scaling.cl", "-D FACTOR=1");
-  cl::Kernel(program, "numbered").with(cl_uint{4}, out).enqueue(queue, {4, 3});
+  cl::Kernel(program, "numbered").with(cl_uint{4}, out).enqueue(queue, {4, 3}, {1, 1});
   EXPECT_EQ(out.read(queue), (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2}));
+}
+
+// PoCL compiles a kernel again for each size of a work-group. The sizes of other drivers would be divisors of
+// the number of work-items.
+TEST_F(Programs, LaunchKernelsInGroupsOfOneSize) {
+  write("groups.cl",
+        "__kernel void sizes(uint count, __global uint *out) {\n"
+        "  size_t i = get_global_id(0);\n"
+        "  if (i < count) out[i] = get_local_size(0);\n"
+        "  if (i == 0) out[count] = get_global_size(0);\n"
+        "}\n"
+        "__kernel __attribute__((reqd_work_group_size(32, 1, 1))) void required(uint count, __global uint "
+        "*out) {\n"
+        "  size_t i = get_global_id(0);\n"
+        "  if (i < count) out[i] = get_local_size(0);\n"
+        "}\n");
+  const cl::Queue queue(device_);
+  const cl::Program program(device_, "groups.cl");
+  cl::Kernel sizes(program, "sizes"), required(program, "required");
+  for (const std::uint32_t items : {1u, 302u, 585u, 1021u}) {
+    const cl::Buffer<std::uint32_t> out(device_, items + 1);
+    const auto expect = [&](std::uint32_t group) {
+      const std::vector<std::uint32_t> found = out.read(queue);
+      for (std::uint32_t i = 0; i < items; ++i) ASSERT_EQ(found[i], group) << items;
+    };
+    sizes.with(cl_uint{items}, out).enqueue(queue, items);
+    expect(std::uint32_t(cl::usual_group(device_.info())));
+    sizes.enqueue(queue, items, 16);
+    expect(16);
+    EXPECT_EQ(out.read(queue).back(), (items + 15) / 16 * 16);
+    required.with(cl_uint{items}, out).enqueue(queue, items);
+    expect(32);
+    // No device has groups of this size.
+    sizes.enqueue(queue, items, std::size_t(1) << 30);
+    const std::uint32_t most = out.read(queue).front();
+    EXPECT_LE(most, device_.info().max_work_group);
+    EXPECT_GE(most, 16u);
+    expect(most);
+  }
+}
+
+TEST_F(Programs, WithTheSameTextAreBuiltOnce) {
+  write("factor.clh", "#ifndef FACTOR\n#define FACTOR 2 // not UNREAD\n#endif\n");
+  write("scaling.cl", scaling);
+  const cl::Program first(device_, "scaling.cl", "-D FACTOR=3"), again(device_, "scaling.cl", "-D FACTOR=3");
+  EXPECT_EQ(first.get(), again.get());
+  EXPECT_NE(first.get(), cl::Program(device_, "scaling.cl", "-D FACTOR=4").get());
+  EXPECT_EQ(first.get(), cl::Program(device_, "scaling.cl", "-D UNREAD=1 -D FACTOR=3 -D FACT").get());
+  EXPECT_EQ(first.text().options, "-D FACTOR=3");
 }
 
 TEST_F(Programs, SeeAnEditedInclude) {
@@ -103,7 +152,7 @@ TEST_F(Programs, FromAFolderWithASpace) {
 }
 
 TEST_F(Programs, ThatDoNotBuildShowLogAndOptions) {
-  write("broken.cl", "__kernel void broken(__global float *out) { out[0] = no_such_name; }\n");
+  write("broken.cl", "__kernel void broken(__global float *out) { out[SOMETHING] = no_such_name; }\n");
   try {
     const cl::Program program(device_, "broken.cl", "-D SOMETHING=1");
     FAIL() << "built";

@@ -248,6 +248,26 @@ TEST(Commands, CheckComparesOneStage) {
   EXPECT_EQ(outcome.out.find("FAILED"), std::string::npos);
 }
 
+TEST(Commands, CheckDrawsFirstWithTheDefaultMappingOfTheDevice) {
+  // The check names the mapping of each comparison of pictures. A device with one lane per work-item must not
+  // be asked for the mapping `tile`.
+  const Folder folder;
+  const Outcome all = pelage(folder, "check picture mappings --filter 'torus.*curly'", "PELAGE_LANES=1");
+  EXPECT_EQ(all.code, 0) << all.out << all.err;
+  const auto group = all.out.find(", group"), pixel = all.out.find(", pixel");
+  EXPECT_LT(group, pixel) << all.out;
+  EXPECT_NE(pixel, std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("tile"), std::string::npos) << all.out;
+  const Outcome one =
+      pelage(folder, "check picture --mapping pixel --filter 'torus.*curly'", "PELAGE_LANES=1");
+  EXPECT_EQ(one.code, 0) << one.out << one.err;
+  EXPECT_NE(one.out.find(", pixel"), std::string::npos) << one.out;
+  EXPECT_EQ(one.out.find("group"), std::string::npos) << one.out;
+  const Outcome tile = pelage(folder, "check picture --mapping tile", "PELAGE_LANES=1");
+  EXPECT_EQ(tile.code, 2) << tile.out << tile.err;
+  EXPECT_NE(tile.err.find("mapping 'tile': on "), std::string::npos) << tile.err;
+}
+
 TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
   const Folder folder;
   std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels",

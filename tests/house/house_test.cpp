@@ -3,22 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "tests/house/rules.hpp"
+#include "tests/support/files.hpp"
 
 namespace fs = std::filesystem;
 using namespace pelage::house;
 
 namespace {
-
-const fs::path root = PELAGE_SOURCE_DIR;
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // Returns the source files and documents of the checkout, relative to its root. Pictures and files of
 // results/ are data and are left out.
@@ -47,7 +39,7 @@ std::string joined(const Faults& faults) {
 }
 
 const Links& links() {
-  static const Links known = room_links(read(root / "CMakeLists.txt"));
+  static const Links known = room_links(pelage::test::text_of(root / "CMakeLists.txt"));
   return known;
 }
 
@@ -60,7 +52,7 @@ std::size_t faults_of(const std::string& path, const std::string& include) {
 TEST(House, KeepsItsRulesOfInclusion) {
   Faults faults;
   for (const std::string& file : written_files()) {
-    const Faults found = include_faults(file, read(root / file), links());
+    const Faults found = include_faults(file, pelage::test::text_of(root / file), links());
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
@@ -71,7 +63,7 @@ TEST(House, KeepsItsRulesOfText) {
   const auto files = written_files();
   EXPECT_GT(files.size(), 50u);
   for (const std::string& file : files) {
-    const Faults found = text_faults(file, read(root / file));
+    const Faults found = text_faults(file, pelage::test::text_of(root / file));
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
@@ -80,10 +72,34 @@ TEST(House, KeepsItsRulesOfText) {
 TEST(House, KeepsOneCopyOfAComputationInTheKernels) {
   Faults faults;
   for (const std::string& file : written_files()) {
-    const Faults found = copy_faults(file, read(root / file));
+    const Faults found = copy_faults(file, pelage::test::text_of(root / file));
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
+}
+
+TEST(House, LaunchesKernelsInOnePlaceAndInGroupsOfAKnownSize) {
+  Faults faults;
+  for (const std::string& file : written_files()) {
+    const Faults found = launch_faults(file, read(root / file));
+    faults.insert(faults.end(), found.begin(), found.end());
+  }
+  EXPECT_TRUE(faults.empty()) << joined(faults);
+  EXPECT_NE(read(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("), std::string::npos);
+}
+
+TEST(House, PlantedLaunchesAreFound) {
+  const std::string of_driver =
+      "check(clEnqueueNDRangeKernel(q, k, 1, nullptr, &n,\n  nullptr, 0, nullptr, &event));";
+  const std::string of_size =
+      "check(clEnqueueNDRangeKernel(q, k, 1, nullptr, &n, &group, 0, nullptr, &event));";
+  EXPECT_EQ(launch_faults("harness/cl/program.cpp", of_driver).size(), 1u);
+  EXPECT_EQ(launch_faults("harness/cl/program.cpp", of_size).size(), 0u);
+  EXPECT_EQ(
+      launch_faults("harness/cl/program.cpp", "group > 0 ? clEnqueueTask(q, k, 0, nullptr, &event) : 0;")
+          .size(),
+      1u);
+  EXPECT_EQ(launch_faults("bench/lod.cpp", of_size).size(), 1u);
 }
 
 TEST(House, LinksAreReadFromCMake) {

@@ -208,4 +208,23 @@ Faults copy_faults(const std::string& path, const std::string& text) {
   return faults;
 }
 
+Faults launch_faults(const std::string& path, const std::string& text) {
+  static const std::regex launch(R"(\bclEnqueue(NDRangeKernel|Task)\s*\(([^;]*))"),
+      none(R"(\bnullptr\b|\bNULL\b)");
+  Faults faults;
+  if (starts_with(path, "tests/house/")) return faults;
+  for (std::sregex_iterator at(text.begin(), text.end(), launch), end; at != end; ++at) {
+    const std::string arguments = (*at)[2];
+    std::size_t local = 0;  // the sixth argument
+    for (int comma = 0; comma < 5 && local != std::string::npos; ++comma)
+      local = arguments.find(',', local + 1);
+    if (path != "harness/cl/program.cpp")
+      faults.push_back(fmt::format("{}: launches a kernel; use cl::Kernel::enqueue()", path));
+    else if (local == std::string::npos ||
+             std::regex_search(arguments.substr(local, arguments.find(',', local + 1) - local), none))
+      faults.push_back(fmt::format("{}: leaves the size of the work-groups to the driver", path));
+  }
+  return faults;
+}
+
 }  // namespace pelage::house

@@ -1,11 +1,14 @@
 // The rules of the repository: functions that find violations in the path and the text of a file.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace pelage::house {
+
+inline const std::filesystem::path root = PELAGE_SOURCE_DIR;  ///< folder of the checkout
 
 using Faults = std::vector<std::string>;  ///< one line per violation, "path:line: what"
 
@@ -29,5 +32,9 @@ Faults text_faults(const std::string& path, const std::string& text);
 /// contains one of the two computations, the function reports this file. It also reports perspective.clh or
 /// surface.clh if the file does not contain its computation.
 Faults copy_faults(const std::string& path, const std::string& text);
+
+/// Finds launches of kernels outside of harness/cl/program.cpp, and launches that leave the size of the
+/// work-groups to the driver: PoCL compiles a kernel again for each size.
+Faults launch_faults(const std::string& path, const std::string& text);
 
 }  // namespace pelage::house

@@ -259,8 +259,8 @@ TEST(DISABLED_Tiny, Measures) {
   const std::vector<float> ones(8, 1.0f);
   const cl::Buffer<float> a(queue, ones), b(queue, ones), c(queue, ones);
   const std::size_t items = ones.size();
-  const cl::Event triad = cl::Kernel(program, "triad").with(a, b, c, 2.0f).enqueue(queue, items);
-  const cl::Event chains = cl::Kernel(program, "chains").with(2, .5f, b).enqueue(queue, items);
+  const cl::Event triad = cl::Kernel(program, "triad").with(a, b, c, 2.0f).enqueue(queue, items, items);
+  const cl::Event chains = cl::Kernel(program, "chains").with(2, .5f, b).enqueue(queue, items, items);
   const cl::Event nothing = cl::Kernel(program, "nothing").with(c).enqueue(queue, items);
   const cl::Buffer<float> d(queue, ones), e(queue, ones), f(queue, ones), g(queue, ones);
   const cl::Event seven =

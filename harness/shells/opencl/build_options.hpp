@@ -14,6 +14,7 @@ using Tuning = std::map<std::string, int>;
 int tuned(const Tuning& tuning, const std::string& axis, int otherwise);
 
 /// Returns the build options of an OpenCL program: "-D LANES=lanes", and one "-D NAME=value" per tuning axis.
+/// The axes that no kernel of the program reads are left out when it is built (options_read(), harness/cl).
 std::string build_options(int lanes, const Tuning& tuning);
 
 }  // namespace pelage::shells

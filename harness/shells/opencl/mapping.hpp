@@ -52,7 +52,9 @@ struct MappingKind {
   /// fragment.
   bool one_eye_per_pixel;
   int (*lanes)(const cl::DeviceInfo&);  ///< fragments or vertices that a work-item computes at once: 1 or 16
-  Tuning (*tuning)(Tuning);             ///< adds to a Tuning the values that the mapping needs or prefers
+  /// Returns the texts of the programs of a mapping with these build options, in the order of their use.
+  std::vector<cl::ProgramText> (*programs)(const std::string& options);
+  Tuning (*tuning)(Tuning);  ///< adds to a Tuning the values that the mapping needs or prefers
   std::unique_ptr<Mapping> (*make)(const MappingSetup&);
 };
 

@@ -1,5 +1,5 @@
-// The list of all mappings. The first mapping of the list is the default on CPUs. The workgroup mapping is
-// the default on GPUs.
+// The list of all mappings. The tile mapping is the default on devices whose work-items have 16 lanes. The
+// workgroup mapping is the default on all others.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,8 +14,12 @@ namespace {
 
 const MappingKind* const kinds[] = {&tile_mapping, &pixel_mapping, &workgroup_mapping};
 
+bool offered(const MappingKind& kind, const cl::DeviceInfo& device) {
+  return &kind != &tile_mapping || device.lanes > 1;
+}
+
 const MappingKind& default_kind(const cl::DeviceInfo& device) {
-  return device.gpu ? workgroup_mapping : *kinds[0];
+  return offered(tile_mapping, device) ? tile_mapping : workgroup_mapping;
 }
 
 }  // namespace
@@ -56,6 +60,22 @@ std::string mappings_help() {
   for (const auto* kind : shells::kinds)
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", kind->name, kind->what);
   return text;
+}
+
+std::vector<std::string> mappings_on(const cl::DeviceInfo& device) {
+  std::vector<std::string> names{default_mapping(device)};
+  for (const auto* kind : shells::kinds)
+    if (kind->name != names.front() && shells::offered(*kind, device)) names.emplace_back(kind->name);
+  return names;
+}
+
+std::string offered_mapping(const std::string& name, const cl::DeviceInfo& device) {
+  const std::vector<std::string> names = mappings_on(device);
+  if (name.empty()) return names.front();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InputError(fmt::format("mapping '{}': on {}, the name must be one of {}", name, device.name,
+                                 fmt::join(names, ", ")));
+  return name;
 }
 
 std::string default_mapping(const cl::DeviceInfo& device) {

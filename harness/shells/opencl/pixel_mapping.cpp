@@ -6,27 +6,20 @@
 namespace pelage::shells {
 namespace {
 
-/// Returns the number of work-items per side of a work-group: at most 8. With blend.order "depth" a work-item
-/// needs 3 kB of private memory, and PoCL keeps the private memory of a work-group on the stack of one
-/// thread.
-std::size_t side_of_group(const cl::DeviceInfo& device) {
-  std::size_t side = 8;
-  while (side > 1 && side * side > device.max_work_group) side /= 2;
-  return side;
-}
+/// Number of work-items per side of a work-group. With blend.order "depth" a work-item needs 3 kB of private
+/// memory, and PoCL keeps the private memory of a work-group on the stack of one thread.
+constexpr std::size_t side = 8;
 
-/// Rounds a side of the picture up to a multiple of `side`. The kernel skips the pixels outside the picture.
-std::size_t up(int pixels, std::size_t side) {
-  return (std::size_t(pixels) + side - 1) / side * side;
+std::vector<cl::ProgramText> programs_with(const std::string& options) {
+  return {{"rasterize/pixel/pixel.cl", options}};
 }
 
 class PixelMapping : public Mapping {
  public:
   PixelMapping(const MappingSetup& setup, std::size_t counters_per_pixel)
       : bins_(setup.geometry),
-        raster_(setup.device, "rasterize/pixel/pixel.cl", setup.options),
+        raster_(setup.device, programs_with(setup.options).front()),
         draw_(raster_, "pixel_shells"),
-        side_(side_of_group(setup.device.info())),
         counters_per_pixel_(counters_per_pixel) {}
 
   void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
@@ -35,7 +28,7 @@ class PixelMapping : public Mapping {
   }
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p);
-    return draw_.enqueue(queue, {up(p.width, side_), up(p.height, side_)}, {side_, side_});
+    return draw_.enqueue(queue, {std::size_t(p.width), std::size_t(p.height)}, {side, side});
   }
   std::size_t counters(const RasterParams& p) const override {
     return counters_per_pixel_ * std::size_t(p.width) * std::size_t(p.height);
@@ -46,7 +39,7 @@ class PixelMapping : public Mapping {
   TileBins bins_;
   cl::Program raster_;
   cl::Kernel draw_;
-  std::size_t side_, counters_per_pixel_;
+  std::size_t counters_per_pixel_;
 };
 
 }  // namespace
@@ -61,6 +54,7 @@ const MappingKind pixel_mapping{.name = "pixel",
                                 .kernel = "pixel_shells",
                                 .one_eye_per_pixel = false,
                                 .lanes = [](const cl::DeviceInfo&) { return 1; },
+                                .programs = programs_with,
                                 .tuning =
                                     [](Tuning tuning) {
                                       // The default tiles are small, because a work-item reads the whole

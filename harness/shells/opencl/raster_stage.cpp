@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <future>
 #include <numeric>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "harness/error.hpp"
 #include "harness/shells/opencl/packed_textures.hpp"
 #include "harness/shells/opencl/params.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/style_table.hpp"
 
 namespace pelage::shells {
@@ -40,6 +40,21 @@ cl::Buffer<T> upload(const cl::Queue& queue, const std::vector<T>& values) {
   return cl::Buffer<T>(queue, std::span<const T>(values));
 }
 
+// Returns the table of triangles with the reach of dry triangles, as the kernel triangle_reach writes it: the
+// number of layers plus 1.
+std::vector<std::int32_t> dry_corners(std::vector<std::int32_t> corner, int layers) {
+  for (std::size_t i = 3; i < corner.size(); i += 4) corner[i] = layers + 1;
+  return corner;
+}
+
+// Returns the dryness of the vertices of dry fur, as the kernel vertex_dryness writes it: 1, times the factor
+// of curl.radius.
+std::vector<float> dry_vertices(const Geometry& g) {
+  const auto vertices = std::size_t(g.vertices);
+  if (g.mask_uv.size() == 2 * vertices) return std::vector<float>(vertices, 1.0f);
+  return {g.mask_uv.begin() + 2 * std::ptrdiff_t(vertices), g.mask_uv.end()};
+}
+
 constexpr std::int32_t triangles_per_chunk = 1024;
 
 RasterParams tiled(RasterParams p, const Tuning& tuning, const cl::Device& device) {
@@ -57,19 +72,18 @@ RasterParams tiled(RasterParams p, const Tuning& tuning, const cl::Device& devic
 }  // namespace
 
 RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& g,
-                         const WetStage& wet, const ShellOptions& options)
+                         const WetStage& wet_stage, const ShellOptions& options)
     : kind_(mapping_for(input.scene.blend, options.mapping, queue.device().info())),
       tuning_(kind_.tuning(options.tuning)),
-      maps_(style_options(input)),
+      maps_(style_options(input.scene)),
       params_(tiled(raster_params(input, g), tuning_, queue.device())),
       lanes_(kind_.lanes(queue.device().info())),
       layers_at_once_(layers_at_once(params_, options.layers_at_once, queue.device())),
-      geometry_(queue.device(), "rasterize/geometry/geometry.cl", build_options(lanes_, tuning_) + maps_),
+      geometry_(queue.device(), geometry_text(input.scene, lanes_, tuning_)),
       strand_tips_(geometry_, "vertex_tips"),
       layers_(geometry_, "layer_vertices"),
       facing_(geometry_, "triangle_facing"),
       records_(geometry_, "vertex_records"),
-      dryness_(geometry_, "vertex_dryness"),
       curls_(geometry_, "vertex_curls") {
   const cl::Device& device = queue.device();
   // A second thread packs the fur texture while this thread builds the OpenCL programs of the mapping (tile,
@@ -92,31 +106,26 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   buffers_.tip = &tip_;
   RasterBuffers& b = buffers_;
   b.layer_table = upload(queue, styled_layer_table(input, g));
-  b.corner = upload(queue, g.corner);
+  const bool wet = !input.droplets.empty();
+  b.corner = upload(queue, wet ? g.corner : dry_corners(g.corner, params_.layers));
   b.screen = cl::Buffer<float>(device, 4 * screens);
   b.box = cl::Buffer<float>(device, 4 * vertices * std::size_t(params_.layer_batches + 1));
   b.vertex = upload(queue, g.vertex);
-  b.dry = cl::Buffer<float>(device, vertices);
+  b.dry = wet ? cl::Buffer<float>(device, vertices) : upload(queue, dry_vertices(g));
   b.record = cl::Buffer<float>(device, RECORD * vertices);
   b.tangent = upload(queue, g.tangent);
   // The kernels read b.curl only if fragments have several sub-steps (fur.substeps > 1).
   b.curl = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
   b.fur = upload(queue, packed.get());
   b.coat = upload(queue, packed_coat(input.coat));
-  b.mask = &wet.mask();
+  b.mask = &wet_stage.mask();
   b.image = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
   b.covered = cl::Buffer<std::uint32_t>(device, mapping_->counters(params_));
   mask_uv_ = upload(queue, g.mask_uv);
-  reach_.emplace(queue, geometry_, params_, wet.changes(), uv_, b.corner);
-  // use_mask() runs twice, because on some platforms the first launch of a kernel includes its compilation.
-  // per_mask_ms_ keeps the time of the second run.
-  for (int i = 0; i < 2; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    use_mask(queue, nullptr);
-    queue.finish();
-    per_mask_ms_ =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  }
+  if (wet)
+    reach_.emplace(queue, wet_text(input.scene, lanes_), lanes_, params_, wet_stage.changes(), uv_, b.corner);
+  if (reach_ && options.refine) reach_->refine();
+  use_mask(queue, nullptr);
 }
 
 void RasterStage::set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry) {
@@ -137,18 +146,18 @@ void RasterStage::use_mask(const cl::Queue& queue, cl::PhaseEvents* events) {
   const auto keep = [&](cl::Event event) {
     if (events) events->emplace_back("wet", std::move(event));
   };
-  dryness_.with(params_, mask_uv_, *buffers_.mask, buffers_.dry);
-  keep(dryness_.enqueue(queue, std::size_t(params_.vertices / lanes_)));
+  if (reach_) reach_->dry(queue, params_, mask_uv_, buffers_, events);
   if (params_.substeps > 1) {
     curls_.with(params_, buffers_.vertex, buffers_.dry, buffers_.layer_table, buffers_.curl);
-    keep(curls_.enqueue(queue, work_items(queue.device(), params_.vertices)));
+    keep(curls_.enqueue_loop(queue, std::size_t(params_.vertices)));
   }
-  reach_->run(queue, params_, buffers_.layer_table, uv_, *buffers_.mask, buffers_.corner, events);
+  if (reach_) reach_->run(queue, params_, uv_, buffers_, events);
 }
 
 std::vector<const cl::Program*> RasterStage::programs() const {
   std::vector<const cl::Program*> all = mapping_->programs();
   all.push_back(&geometry_);
+  if (reach_) all.push_back(&reach_->program());
   return all;
 }
 
@@ -166,7 +175,7 @@ void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& tips, c
   };
   buffers_.tip = &tips;
   records_.with(params_, buffers_.vertex, tips, uv_, buffers_.record);
-  keep("transform", records_.enqueue(queue, std::size_t(params_.vertices)));
+  keep("transform", records_.enqueue_loop(queue, std::size_t(params_.vertices)));
   for (int pass = passes() - 1; pass >= 0; --pass) {
     begin_pass(queue, pass, *mapping_, events);
     keep("raster", mapping_->draw(queue, params_, buffers_));

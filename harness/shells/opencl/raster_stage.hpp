@@ -24,10 +24,10 @@ class RasterStage {
   /// mesh's bounding sphere.
   const cl::Buffer<float>& strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands, int stride,
                                        cl::PhaseEvents* events);
-  /// Runs the kernels whose results depend on the wetness mask. They compute the dryness of each vertex and,
-  /// if fur.substeps > 1, the curl frame of each vertex, and the number of layers in which each triangle is
-  /// drawn. The constructor calls this function. Call it again when the mask has changed. The phase of the
-  /// kernels is "wet".
+  /// Runs the kernels whose results depend on the wetness mask. With droplets, they compute the dryness of
+  /// each vertex and, if fur.substeps > 1, the curl frame of each vertex, and the number of layers in which
+  /// each triangle is drawn. The constructor calls this function. Call it again when the mask has changed.
+  /// The phase of the kernels is "wet".
   void use_mask(const cl::Queue& queue, cl::PhaseEvents* events);
   /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
   /// until the next call of frame(), because count() and tally() read it again.
@@ -47,10 +47,10 @@ class RasterStage {
   /// change the picture.
   Tally tally(const cl::Queue& queue, int every);
   Picture read(const cl::Queue& queue) const;
-  /// Returns the wall time, in ms, of the kernels that run once per wetness mask, measured after a warm-up
-  /// run. These kernels compute the dryness of each vertex, the curl frame of each vertex (only if
-  /// fur.substeps > 1), and the number of layers in which each triangle is drawn.
-  double per_mask_ms() const { return per_mask_ms_; }
+  /// See Shells::refine().
+  void refine(const cl::Queue& queue) {
+    if (reach_ && reach_->refine()) use_mask(queue, nullptr);
+  }
   std::vector<const cl::Program*> programs() const;
 
  private:
@@ -74,13 +74,12 @@ class RasterStage {
   RasterParams params_;
   int lanes_, layers_at_once_;
   cl::Program geometry_;
-  cl::Kernel strand_tips_, layers_, facing_, records_, dryness_, curls_;
+  cl::Kernel strand_tips_, layers_, facing_, records_, curls_;
   std::unique_ptr<Mapping> mapping_;
   RasterBuffers buffers_;
   cl::Buffer<float> uv_, mask_uv_, weight_, tip_;
   cl::Buffer<std::int32_t> slice_, strand_;
-  std::optional<ReachStage> reach_;
-  double per_mask_ms_ = 0;
+  std::optional<ReachStage> reach_;  ///< empty without droplets
 };
 
 /// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. The

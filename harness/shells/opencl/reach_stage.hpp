@@ -1,8 +1,11 @@
-// The stage that finds the number of layers in which each triangle is drawn, from the wetness mask.
+// The stage that computes what depends on the wetness mask: the dryness of each vertex, and the number of
+// layers in which each triangle is drawn.
 #pragma once
+#include <utility>
+
 #include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
-#include "kernels/rasterize/params.h"
+#include "harness/shells/opencl/raster_buffers.hpp"
 
 namespace pelage::shells {
 
@@ -13,34 +16,41 @@ namespace pelage::shells {
 /// mask that changes hides nothing. The picture is the same.
 class ReachStage {
  public:
-  /// `geometry` is the program rasterize/geometry/geometry.cl. `uv` and `corner` are the arrays of Geometry.
-  ReachStage(const cl::Queue& queue, const cl::Program& geometry, const RasterParams& params, bool changes,
-             const cl::Buffer<float>& uv, const cl::Buffer<std::int32_t>& corner);
+  /// `text`: wet_text(), for `lanes` lanes. `uv` and `corner` are the arrays of
+  /// Geometry.
+  ReachStage(const cl::Queue& queue, const cl::ProgramText& text, int lanes, const RasterParams& params,
+             bool changes, const cl::Buffer<float>& uv, const cl::Buffer<std::int32_t>& corner);
   /// Returns whether in_view() must be called in each frame.
-  [[nodiscard]] bool depends_on_view() const { return by_footprint_; }
+  [[nodiscard]] bool depends_on_view() const { return by_footprint_ && refined_; }
   /// With clump.cells "consistent" and a mask that does not change: chooses the reaches for a view, after the
   /// kernels vertex_records and layer_vertices, whose results are `record` and `box`. Writes the fourth
-  /// number of each triangle's row in `corner`. `items` is the number of work-items.
+  /// number of each triangle's row in `corner`. `blocks` is the number of blocks of LANES triangles.
   cl::Event in_view(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<float>& record,
-                    const cl::Buffer<float>& box, cl::Buffer<std::int32_t>& corner, std::size_t items);
-  /// Writes the fourth number of each triangle's row in `corner`. Appends the events to `events` in the phase
-  /// "wet", unless it is null.
-  void run(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<float>& layer_table,
-           const cl::Buffer<float>& uv, const cl::Buffer<float>& mask, cl::Buffer<std::int32_t>& corner,
-           cl::PhaseEvents* events);
+                    const cl::Buffer<float>& box, cl::Buffer<std::int32_t>& corner, std::size_t blocks);
+  /// Lets run() compute the layers of each triangle more tightly, where it can: with clump.cells "consistent"
+  /// and a mask that does not change. This takes longer than a frame, and later frames take less time.
+  /// Returns whether run() must be called again.
+  bool refine() { return !std::exchange(refined_, true) && by_footprint_; }
+  /// Writes the dryness of each vertex, which is 1 - its wetness. `mask_uv` is the array of Geometry. Appends
+  /// the event to `events` in the phase "wet", unless it is null.
+  void dry(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<float>& mask_uv,
+           RasterBuffers& buffers, cl::PhaseEvents* events);
+  /// Writes the fourth number of each triangle's row in buffers.corner. Appends the events to `events` in the
+  /// phase "wet", unless it is null.
+  void run(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<float>& uv,
+           RasterBuffers& buffers, cl::PhaseEvents* events);
+  const cl::Program& program() const { return program_; }
 
  private:
-  bool changes_, by_footprint_;
-  cl::Kernel triangles_, clumps_, texels_, by_texel_, footprints_, in_view_;
+  int lanes_;
+  bool changes_, by_footprint_, refined_ = false;
+  cl::Program program_;
+  cl::Kernel dryness_, triangles_, clumps_, texels_, by_texel_, repeats_, footprints_, in_view_;
   cl::Buffer<std::int32_t> range_;    ///< the mask texels of each triangle
   cl::Buffer<std::int32_t> number_;   ///< the number of the clump of each texel
   cl::Buffer<std::uint16_t> reach_;   ///< the number of layers of each texel
+  cl::Buffer<std::uint32_t> repeat_;  ///< the texels with the values of their neighbours, for the footprints
   cl::Buffer<std::int32_t> reaches_;  ///< the number of layers of each triangle, for FOOTPRINTS pixel sizes
 };
-
-/// Returns the number of work-items that process `count` triangles, vertices, texels or blocks of them. The
-/// kernel must loop over them with the step get_global_size(0). PoCL copies the parameters for every
-/// work-item, so on a CPU a work-item processes many.
-std::size_t work_items(const cl::Device& device, int count);
 
 }  // namespace pelage::shells

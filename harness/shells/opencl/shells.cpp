@@ -1,5 +1,6 @@
 #include "harness/shells/opencl/shells.hpp"
 
+#include <chrono>
 #include <optional>
 
 #include "harness/shells/opencl/params.hpp"
@@ -128,11 +129,25 @@ std::map<std::string, double> Shells::operations(const Tally& tally, double wet_
   return shells::frame_operations(s.raster.params(), shells::simulate_params(s.input->scene, s.geometry),
                                   s.geometry, tally, wet_share);
 }
-double Shells::wet_ms() const {
-  return state_->wet.mask_ms();
+void Shells::refine() {
+  state_->raster.refine(state_->queue);
 }
-double Shells::per_mask_ms() const {
-  return state_->raster.per_mask_ms();
+Shells::MaskTime Shells::mask_time() {
+  State& s = *state_;
+  if (s.input->droplets.empty()) return {};
+  const auto since = [&](std::chrono::steady_clock::time_point begin) {
+    s.queue.finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  };
+  s.queue.finish();
+  const auto begin = std::chrono::steady_clock::now();
+  const bool now = s.wet.changes() && s.frames > 0;
+  s.wet.upload_droplets(s.queue, *s.input, now ? s.frames : frames_before(s.input->scene.dynamics) + 1);
+  s.wet.run(s.queue);
+  const double mask = since(begin);
+  s.raster.use_mask(s.queue, nullptr);
+  const double all = since(begin);
+  return {all, all - mask};
 }
 double Shells::build_ms() const {
   double sum = 0;

@@ -19,6 +19,15 @@ const std::vector<std::string>& mappings();
 /// Returns "name: description; ..." of all mappings, for --help.
 std::string mappings_help();
 
+/// Returns the names of the mappings that the commands offer on a device, its default mapping first. The
+/// mapping `tile` is left out if a work-item has one lane: it then needs 350 KB of private memory per
+/// work-item, which compilers for GPUs refuse.
+std::vector<std::string> mappings_on(const cl::DeviceInfo& device);
+
+/// Returns `name`, or the name of the device's default mapping for "". Throws InputError if mappings_on()
+/// does not contain `name`.
+std::string offered_mapping(const std::string& name, const cl::DeviceInfo& device);
+
 /// Returns the name of the device's default mapping.
 std::string default_mapping(const cl::DeviceInfo& device);
 
@@ -26,6 +35,7 @@ struct ShellOptions {
   std::string mapping;                ///< a name from mappings(); "": the device's default_mapping()
   std::map<std::string, int> tuning;  ///< values of tuning axes (kernels/*/tuning.toml), e.g. {"TILE_W", 16}
   int layers_at_once = 0;             ///< number of layers that one pass draws; 0: as many as fit in memory
+  bool refine = true;                 ///< calls Shells::refine(); false for a single picture
 };
 
 /// Fragment counts of a frame, summed over all layers. Fragments of the base surface are not counted.
@@ -63,7 +73,10 @@ class Shells {
   /// differs from the present input only in the camera and in keys for which is_view_key() is true. Throws
   /// InputError if the size of the picture differs.
   void set_view(std::shared_ptr<const FrameInput> input);
-  Picture read() const;          ///< copies the picture of the last frame to the host
+  Picture read() const;  ///< copies the picture of the last frame to the host
+  /// Computes in which layers each triangle of wet fur can be visible, more tightly than the first picture
+  /// needs it. This takes longer than a frame, and later frames take less time. The picture is the same.
+  void refine();
   int frames_simulated() const;  ///< number of frames simulated since the fur was at rest
   /// Returns the wetness mask of the last frame, or of the picture at the time dynamics.time before the first
   /// frame. It has wetness.size^2 texels. A texel holds the centre (c_u, c_v) and the radius
@@ -84,12 +97,16 @@ class Shells {
   std::map<std::string, double> operations(const Tally& tally, double wet_share) const;
   std::uint64_t count();    ///< number of covered fragments of the last frame in all layers
   double build_ms() const;  ///< build time of all kernels, ms
-  double wet_ms() const;    ///< wall time of the kernel that computes the wetness mask, ms
-  /// Returns the wall time, in ms, of the kernels that run once per wetness mask, measured after a warm-up
-  /// run. These kernels compute the dryness of each vertex, the curl frame of each vertex (only if
-  /// fur.substeps > 1), and the number of layers in which each triangle is drawn. FrameTiming includes this
-  /// time only if the water changes over time.
-  double per_mask_ms() const;
+  /// What a new wetness mask costs, wall times in ms. 0 without droplets.
+  struct MaskTime {
+    double all =
+        0;  ///< from the upload of the droplets until the device has computed all that depends on them
+    /// The part of `all` for what depends on the mask: the dryness of each vertex, the curl frame of each
+    /// vertex (only if fur.substeps > 1), and the number of layers in which each triangle is drawn.
+    double after_mask = 0;
+  };
+  /// Computes the mask of the last picture once more, and measures it. The kernels have been compiled before.
+  MaskTime mask_time();
   std::string kernel_hash() const;  ///< hash of the sources of all built programs, including their headers
   std::vector<const cl::Program*> programs() const;  ///< the programs of all stages
 

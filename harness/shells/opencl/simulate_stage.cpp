@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "harness/shells/opencl/params.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 
 namespace pelage::shells {
 
@@ -18,23 +19,16 @@ std::vector<float> rest_state(const Geometry& g) {
   return state;
 }
 
-std::string simulate_options(const FrameInput& input) {
-  std::string options;
-  if (!input.style.length.empty()) options += " -D LENGTH_MAP=1";
-  if (has_contact(input.scene.contact)) options += " -D CONTACT=1";
-  return options;
-}
-
 }  // namespace
 
 SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry,
                              int lanes, const Tuning& tuning)
-    : program_(queue.device(), "simulate/simulate.cl", build_options(lanes, {}) + simulate_options(input)),
+    : program_(queue.device(), simulate_text(input.scene, lanes)),
       step_(program_, "strand_frame"),
       params_(simulate_params(input.scene, geometry)),
       dynamics_(input.scene.dynamics),
       lanes_(lanes),
-      local_(std::size_t(tuned(tuning, "SIMULATE_GROUP", 0))),
+      group_(std::size_t(tuned(tuning, "SIMULATE_GROUP", 0))),
       gusts_(queue.device(), 2 * std::size_t(input.scene.dynamics.substeps)),
       constants_(queue, std::span<const float>(geometry.strand_constants)),
       state_(queue, std::span<const float>(rest_state(geometry))) {
@@ -49,8 +43,7 @@ void SimulateStage::frame(const cl::Queue& queue, int number, cl::PhaseEvents* e
   } else {
     step_.with(params_, gusts_, constants_, state_);
   }
-  const auto items = std::size_t(params_.stride / lanes_), group = std::max<std::size_t>(local_, 1);
-  cl::Event event = step_.enqueue(queue, (items + group - 1) / group * group, local_);
+  cl::Event event = step_.enqueue(queue, std::size_t(params_.stride / lanes_), group_);
   if (events) events->emplace_back("simulate", std::move(event));
 }
 

@@ -31,7 +31,7 @@ class SimulateStage {
   SimulateParams params_;
   DynamicsScene dynamics_;
   int lanes_;
-  std::size_t local_;  // number of work-items per work-group; 0: the driver chooses the number
+  std::size_t group_;  // number of work-items per work-group; 0: the driver chooses the number
   cl::Buffer<float> gusts_, constants_, state_;
   std::optional<ContactStage> contact_;
 };

@@ -1,6 +1,6 @@
 #include "harness/shells/opencl/spring_stage.hpp"
 
-#include "harness/shells/opencl/build_options.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "harness/springs/model/scene.hpp"
 
 namespace pelage::shells {
@@ -30,7 +30,7 @@ std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geom
 
 SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes)
     : masses_(at_rest(queue, input, lanes)),
-      program_(queue.device(), "rasterize/geometry/sticks.cl", build_options(lanes, {})),
+      program_(queue.device(), sticks_text(lanes)),
       tips_(program_, "stick_tips"),
       stick_(queue, std::span<const std::int32_t>(columns(masses_, geometry))),
       tip_(queue.device(), 3 * std::size_t(geometry.vertices)),

@@ -58,17 +58,4 @@ std::vector<float> styled_layer_table(const FrameInput& input, const Geometry& g
   return table;
 }
 
-std::string style_options(const FrameInput& input) {
-  std::string options;
-  if (!input.style.curl_radius.empty()) options += " -D RADIUS_MAP=1";
-  if (!input.style.curl_turns.empty()) options += " -D TURNS_MAP=1";
-  if (!input.style.density.value.empty())
-    options += " -D DENSITY=2";
-  else if (input.scene.fur.density < 1)
-    options += " -D DENSITY=1";
-  if (has_contact(input.scene.contact)) options += " -D CONTACT=1";
-  if (by_depth(input.scene.blend)) options += " -D DEPTH_ORDER=1";
-  return options;
-}
-
 }  // namespace pelage::shells

@@ -1,6 +1,5 @@
 // The maps of the fur's shape (docs/shells.md, section 8) in the form that the kernels read.
 #pragma once
-#include <string>
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
@@ -14,9 +13,5 @@ void place_maps(const FrameInput& input, const Geometry& geometry, RasterParams&
 
 /// Returns the layer table, and the arrays of the scene's maps after it, at the places of place_maps().
 std::vector<float> styled_layer_table(const FrameInput& input, const Geometry& geometry);
-
-/// Returns the build options that make the rasterizer's kernels read the scene's maps and colliders: "" if
-/// there are none.
-std::string style_options(const FrameInput& input);
 
 }  // namespace pelage::shells

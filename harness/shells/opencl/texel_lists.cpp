@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "harness/shells/opencl/reach_stage.hpp"
-
 namespace pelage::shells {
 
 TexelLists::TexelLists(const cl::Queue& queue, const cl::Program& program, const WetParams& params,
@@ -20,7 +18,7 @@ TexelLists::TexelLists(const cl::Queue& queue, const cl::Program& program, const
   cl::Kernel lists(program, "texel_droplets");
   const auto make = [&] {
     lists.with(params, droplets, row, drop, surface, start_, count, list_);
-    const cl::Event event = lists.enqueue(queue, texels);
+    const cl::Event event = lists.enqueue_loop(queue, texels);
   };
   make();  // without room for entries, this counts them
   const std::vector<std::int32_t> counts = count.read(queue);
@@ -49,7 +47,7 @@ void TexelLists::upload(const cl::Queue& queue, const std::vector<float>& rho,
 cl::Event TexelLists::run(const cl::Queue& queue, const WetParams& params, const cl::Buffer<float>& droplets,
                           cl::Buffer<float>& mask) {
   kernel_.with(params, droplets, rho_, rank_, start_, list_, mask);
-  return kernel_.enqueue(queue, work_items(queue.device(), params.size * params.size));
+  return kernel_.enqueue_loop(queue, std::size_t(params.size) * std::size_t(params.size));
 }
 
 }  // namespace pelage::shells

@@ -8,11 +8,15 @@
 namespace pelage::shells {
 namespace {
 
+std::vector<cl::ProgramText> programs_with(const std::string& options) {
+  return {{"rasterize/tile/tile.cl", options}};
+}
+
 class TileMapping : public Mapping {
  public:
   explicit TileMapping(const MappingSetup& setup)
       : bins_(setup.geometry),
-        raster_(setup.device, "rasterize/tile/tile.cl", setup.options),
+        raster_(setup.device, programs_with(setup.options).front()),
         draw_(raster_, "tile_shells"),
         lanes_(std::size_t(tile_mapping.lanes(setup.device.info()))) {}
 
@@ -55,6 +59,7 @@ const MappingKind tile_mapping{
     .kernel = "tile_shells",
     .one_eye_per_pixel = true,
     .lanes = [](const cl::DeviceInfo& device) { return device.lanes; },
+    .programs = programs_with,
     .tuning = [](Tuning tuning) { return tuning; },
     .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
       return std::make_unique<TileMapping>(setup);

@@ -1,11 +1,11 @@
 #include "harness/shells/opencl/wet_stage.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
 #include "harness/prepare/water.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "kernels/wet/params.h"
 
 namespace pelage::shells {
@@ -73,19 +73,11 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
     if (changes_) make_lists(queue, input);
   }
   upload_droplets(queue, input, frames_before(input.scene.dynamics) + 1);
-  if (input.droplets.empty()) return;
-  // The kernel runs twice, because the first launch includes compilation on some platforms. mask_ms_ keeps
-  // the time of the second run.
-  for (int i = 0; i < 2; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    const cl::Event event = run(queue);
-    queue.finish();
-    mask_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  }
+  if (!input.droplets.empty()) run(queue);
 }
 
 void WetStage::build(const cl::Queue& queue) {
-  program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
+  program_.emplace(queue.device(), mask_text());
   kernel_.emplace(*program_, "wetness_mask");
 }
 
@@ -123,7 +115,7 @@ cl::Event WetStage::run(const cl::Queue& queue) {
   if (lists_) return lists_->run(queue, params(), droplets_, mask_);
   if (!kernel_) build(queue);
   kernel_->with(params(), droplets_, row_, drop_, surface_, mask_);
-  return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
+  return kernel_->enqueue_loop(queue, std::size_t(size_) * std::size_t(size_));
 }
 
 }  // namespace pelage::shells

@@ -24,7 +24,6 @@ class WetStage {
   bool changes() const { return changes_; }                ///< true: the water changes over time
   const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
   const cl::Program* program() const { return program_ ? &*program_ : nullptr; }  ///< null without droplets
-  double mask_ms() const { return mask_ms_; }  ///< wall time of the mask's kernel in ms; 0 without droplets
 
  private:
   void build(const cl::Queue& queue);
@@ -45,7 +44,6 @@ class WetStage {
   cl::Buffer<float> droplets_, surface_, mask_;
   cl::Buffer<std::int32_t> row_, drop_;
   std::optional<TexelLists> lists_;  ///< used if the water changes and no list is long
-  double mask_ms_ = 0;
 };
 
 }  // namespace pelage::shells

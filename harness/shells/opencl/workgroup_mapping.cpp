@@ -17,18 +17,24 @@ namespace {
 
 // Pixels per side of a tile. A tile has 64 pixels, because the kernels store for each triangle a 64-bit mask
 // of the pixels that the triangle covers.
-constexpr int tile_side = 8;
-constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
+constexpr int workgroup_side = 8;
+constexpr std::size_t work_items = std::size_t(workgroup_side) * workgroup_side;
+
+std::vector<cl::ProgramText> programs_with(const std::string& options) {
+  return {{"rasterize/workgroup/bin.cl", options},
+          cl::RadixSort::program_text(),
+          {"rasterize/workgroup/workgroup.cl", options}};
+}
 
 class WorkgroupMapping : public Mapping {
  public:
   explicit WorkgroupMapping(const MappingSetup& setup)
-      : bins_(setup.device, "rasterize/workgroup/bin.cl", setup.options),
+      : bins_(setup.device, programs_with(setup.options).front()),
         count_(bins_, "group_count"),
         emit_(bins_, "group_emit"),
         starts_(bins_, "group_starts"),
         sort_(setup.device),
-        raster_(setup.device, "rasterize/workgroup/workgroup.cl", setup.options),
+        raster_(setup.device, programs_with(setup.options).back()),
         draw_(raster_, "group_shells") {}
 
   void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
@@ -46,7 +52,7 @@ class WorkgroupMapping : public Mapping {
     };
     if (offset_.size() < items) offset_ = cl::Buffer<std::int32_t>(queue.device(), items);
     count_.with(p, b.corner, b.box, offset_);
-    keep(count_.enqueue(queue, items));
+    keep(count_.enqueue_loop(queue, items));
     const std::int32_t total = sort_.scan(queue, offset_, items, noted, true);
     // The sort kernels divide the entries of all triangle lists into runs of equal length. If `total` is
     // above the following limit, the end index of the last run overflows an int.
@@ -60,17 +66,17 @@ class WorkgroupMapping : public Mapping {
     cl::grow(queue, key_, count + 1);
     cl::grow(queue, b.list, count + 1);
     emit_.with(p, b.corner, b.box, offset_, key_, b.list);
-    keep(emit_.enqueue(queue, items));
+    keep(emit_.enqueue_loop(queue, items));
     sort_.sort(queue, key_, b.list, count, int(std::bit_width(lists - 1)), noted);
     starts_.with(p, total, key_, b.list_start);
-    keep(starts_.enqueue(queue, count + 1));
+    keep(starts_.enqueue_loop(queue, count + 1));
     for (cl::Event& launch : launches) events->emplace_back("bin", std::move(launch));
   }
 
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p);
     const std::size_t tiles = std::size_t(p.tiles_x) * std::size_t(p.tiles_y);
-    return draw_.enqueue(queue, tiles * work_items, work_items);
+    return draw_.enqueue(queue, tiles * work_items);
   }
 
   std::size_t counters(const RasterParams& p) const override {
@@ -95,9 +101,10 @@ const MappingKind workgroup_mapping{
     .kernel = "group_shells",
     .one_eye_per_pixel = false,
     .lanes = [](const cl::DeviceInfo&) { return 1; },
+    .programs = programs_with,
     .tuning =
         [](Tuning tuning) {
-          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // the kernels support only 8 x 8 pixels
+          tuning["TILE_W"] = tuning["TILE_H"] = workgroup_side;  // the kernels support only 8 x 8 pixels
           return tuning;
         },
     .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {

@@ -47,11 +47,6 @@ int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wante
   return std::clamp((units + items - 1) / items, 1, 64);
 }
 
-std::size_t group_size(int lanes, std::size_t wanted) {
-  if (wanted > 0) return wanted;
-  return lanes == 1 ? 64 : 1;
-}
-
 std::string build_options(int lanes, bool turning) {
   return fmt::format("-D LANES={} -D TURNING={}", lanes, int(turning));
 }
@@ -64,7 +59,7 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynam
                            dynamics.full_jacobian && dynamics.solver.implicit ? " -D FULL_JACOBIAN=1" : "")),
       frame_(program_, frame_kernel(dynamics.solver)),
       sides_(queue, std::span(layout.sides)),
-      group_(group_size(lanes, options.group)),
+      group_(options.group),
       blocks_(layout.slices / corners_of(layout, dynamics.solver, lanes)),
       units_(blocks_ * (16 / lanes)),
       per_item_(whole ? units_
@@ -77,7 +72,7 @@ void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Bu
   const std::size_t items = std::size_t((units_ + per_item_ - 1) / per_item_);
   frame_.with(params, buffers.moments, buffers.sites, buffers.push, sides_, buffers.offset, buffers.speed,
               buffers.diverged_at, buffers.first);
-  cl::Event event = frame_.enqueue(queue, (items + group_ - 1) / group_ * group_, group_);
+  cl::Event event = frame_.enqueue(queue, items, group_);
   if (launches) launches->push_back(std::move(event));
 }
 

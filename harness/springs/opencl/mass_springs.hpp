@@ -21,7 +21,7 @@ struct MassSpringOptions {
   /// Number of sticks or triangles that a work-item computes at a time: 1 or 16. 0 selects the device's
   /// default.
   int lanes = 0;
-  std::size_t group = 0;    ///< work-items per work-group; 0 selects the device's default
+  std::size_t group = 0;    ///< work-items per work-group; 0: usual_group() of harness/cl
   int blocks_per_item = 0;  ///< slices of 16 sticks or triangles per work-item; 0: device's default
   /// Whether one work-item computes all steps of a launch for the whole model. On a CPU a single work-item is
   /// faster for a small model, because waking a second core takes more time than the second core saves.

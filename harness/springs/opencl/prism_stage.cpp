@@ -71,7 +71,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       program_(queue.device(), file_of(solver_),
                fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes, turns(dynamics)),
                            int(queue.device().info().fp64))),
-      group_(group_size(lanes, options.group)),
+      group_(options.group),
       units_(layout.slices * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
       per_chunk_(whole ? units_ : ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
@@ -113,7 +113,7 @@ void PrismStage::set(const cl::Queue& queue, const Layout& layout, const std::ve
 }
 
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
-  cl::Event event = kernel.enqueue(queue, (std::size_t(items) + group_ - 1) / group_ * group_, group_);
+  cl::Event event = kernel.enqueue(queue, std::size_t(items), group_);
   if (launches_) launches_->push_back(std::move(event));
 }
 

@@ -36,11 +36,6 @@ std::string build_options(int lanes, bool turning);
 /// wanted * 16 / lanes. If `wanted` is 0, the function returns the device's default.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
 
-/// Returns the work-group size: `wanted` if it is above 0, else 64 if `lanes` is 1 (GPU), and 1 if
-/// `lanes` is 16 (CPU). On a CPU a work-item runs a long loop, so one work-item per work-group suffices. All
-/// launches use this size, because CPU drivers compile a kernel anew for each work-group size.
-std::size_t group_size(int lanes, std::size_t wanted);
-
 /// Computes time steps of the topologies sticks, separable-sticks and separable-prisms. One launch computes
 /// all substeps of all sticks. If `whole` is set, the launch has a single work-item.
 class BlockStage {

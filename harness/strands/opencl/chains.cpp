@@ -107,7 +107,6 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event
   p.substeps = substeps;
   p.first_moment = int(steps_ - known_from_);
   const std::size_t units = std::size_t(p.slices) * std::size_t(16 / lanes_);
-  const std::size_t group = lanes_ == 1 ? 64 : 1;
   const std::size_t items = (units + std::size_t(p.units_per_item) - 1) / std::size_t(p.units_per_item);
   if (skin_) {
     p.skin_step = 1 / float(skin_->last_step - skin_->first_step);
@@ -119,8 +118,7 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event
   } else {
     frame_.with(p, moments_, constants_, states_, some_constants_, some_states_);
   }
-  cl::Event event =
-      (skin_ ? skin_->frame : frame_).enqueue(queue, (items + group - 1) / group * group, group);
+  cl::Event event = (skin_ ? skin_->frame : frame_).enqueue(queue, items);
   if (launches) launches->push_back(std::move(event));
   steps_ += substeps;
 }
@@ -143,10 +141,10 @@ void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
     present_ = cl::Buffer<ChainMoment>(queue, std::span<const ChainMoment>(now));
   else
     present_.write(queue, std::span<const ChainMoment>(now));
-  const std::size_t units = padded / std::size_t(lanes_), group = lanes_ == 1 ? 64 : 1;
+  const std::size_t units = padded / std::size_t(lanes_);
   write_keys_.with(std::int32_t(units), std::int32_t(0), present_, skin_ ? skin_->to : constants_, states_,
                    keys);
-  cl::Event event = write_keys_.enqueue(queue, (units + group - 1) / group * group, group);
+  cl::Event event = write_keys_.enqueue(queue, units);
   if (launches) launches->push_back(std::move(event));
 }
 

@@ -10,6 +10,7 @@
 
 #include "harness/error.hpp"
 #include "harness/strands/drawing/detail.hpp"
+#include "harness/strands/opencl/copy.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -28,13 +29,6 @@ int chunks_of(const cl::Device& device, int wanted) {
 int whole_exponent(float exponent) {
   const bool whole = exponent >= 1 && exponent <= 1024 && std::floor(exponent) == exponent;
   return whole ? int(exponent) : 0;
-}
-
-void copy(float* to, glm::vec3 v) {
-  for (int i = 0; i < 3; ++i) to[i] = v[i];
-}
-void copy(float* to, glm::vec4 v) {
-  for (int i = 0; i < 4; ++i) to[i] = v[i];
 }
 
 DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
@@ -216,9 +210,7 @@ void Drawer::write_layers(const cl::Queue& queue) {
 void Drawer::enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events) {
   write_layers(queue);
   make_keys_.with(params_, constants_, keys_, layer_table_, rows_, blocks_, pairs_, live_, curves_);
-  const std::size_t group = queue.device().info().cpu ? 1 : 64;
-  const std::size_t items = (std::size_t(params_.runs) + group - 1) / group * group;
-  cl::Event event = make_keys_.enqueue(queue, items, group);
+  cl::Event event = make_keys_.enqueue(queue, std::size_t(params_.runs));
   if (events) events->emplace_back("keys", std::move(event));
 }
 

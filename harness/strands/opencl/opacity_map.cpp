@@ -7,12 +7,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "harness/strands/opencl/copy.hpp"
+
 namespace pelage::strands {
 namespace {
-
-void copy(float* to, glm::vec4 v) {
-  for (int i = 0; i < 4; ++i) to[i] = v[i];
-}
 
 /// The parameters of the map. `params` are those of the picture.
 DrawParams map_params(DrawParams params, const LightView& view, int lanes, int tile) {
@@ -62,9 +60,7 @@ void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const
     strands_ = p.strands;
   }
   make_keys_.with(p, buffers.constants, buffers.keys, buffers.layers, rows_, blocks_, pairs_, live_, curves_);
-  const std::size_t group = queue.device().info().cpu ? 1 : 64;
-  const std::size_t items = (std::size_t(p.runs) + group - 1) / group * group;
-  cl::Event made = make_keys_.enqueue(queue, items, group);
+  cl::Event made = make_keys_.enqueue(queue, std::size_t(p.runs));
   if (events) events->emplace_back("shadow", std::move(made));
   lists_.enqueue(queue, p, total_, blocks_, pairs_, "shadow", events);
   // The kernels that draw the map read neither a map nor a skin.

@@ -84,10 +84,8 @@ void SkinDrawer::enqueue(const cl::Queue& queue, const DrawParams& params, const
     return std::max(1, (groups + items - 1) / items);
   };
   const auto launch = [&](const cl::Kernel& kernel, int count) {
-    const std::size_t group = device.cpu ? 1 : 64;
     const int each = lanes_ * per_item(count);
-    const std::size_t items = std::size_t((count + each - 1) / each);
-    cl::Event event = kernel.enqueue(queue, (items + group - 1) / group * group, group);
+    cl::Event event = kernel.enqueue(queue, std::size_t((count + each - 1) / each));
     if (events) events->emplace_back("skin", std::move(event));
   };
   make_vertices_.with(params, per_item(vertices_), vertices_, position_, normal_, colour_, map, vertex_);

@@ -1,29 +1,13 @@
 // Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of the vertices in all
 // layers, and for each vertex and layer batch the bounding box of the screen positions. bin.clh reads these boxes. A
 // work-item computes LANES vertices. PoCL takes 25 ms to preprocess each program, even if its cache contains the
-// compiled program. To save this time, the kernels of bin.clh and of the three files about the reach are part of this
-// program.
+// compiled program. To save this time, the kernels of bin.clh are part of this program.
 #if CONTACT
 #include "common/contact.clh"
 #endif
 #include "rasterize/coverage/fan.clh"
 #include "rasterize/geometry/bin.clh"
-#include "rasterize/geometry/footprint_reach.clh"
-#include "rasterize/geometry/texel_reach.clh"
 #include "rasterize/geometry/transform.clh"
-
-// Computes the dryness 1 - rho at each vertex, once per wetness mask. rho is the wetness. mask_uv: a column of u, then
-// a column of v. With RADIUS_MAP, a third column holds the factor of curl.radius, and the dryness is multiplied by it.
-__kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) mask, __global float *dry) {
-  int block = (int)get_global_id(0);
-  if (block * LANES >= s.vertices) return;
-  real2 p = vec2(load_real(mask_uv, block), load_real(mask_uv + s.vertices, block));
-  real d = REAL(1.0f) - wetness_at(&s, mask, p);
-#if RADIUS_MAP
-  d = d * load_real(mask_uv + 2 * (size_t)s.vertices, block);
-#endif
-  store_real(d, dry, block);
-}
 
 // Computes the tip B of each vertex: the sum of weight * q over the strands around it, where q is a strand's tip minus
 // its root. The vertices are divided into blocks of LANES vertices. Each vertex has a list of strands, padded to
@@ -186,15 +170,15 @@ __kernel void triangle_facing(RasterParams s, __global int *corners, TABLE(float
 // Writes the attribute row of each vertex: the texture coordinates u, v, and the vectors A and B of docs/shells.md,
 // section 3.
 __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) uv, __global float *record) {
-  int i = (int)get_global_id(0);
-  if (i >= s.vertices) return;
   size_t v = (size_t)s.vertices;
-  __global float *out = record + (size_t)i * RECORD;
-  out[0] = uv[2 * i];
-  out[1] = uv[2 * i + 1];
-  for (int k = 0; k < 3; ++k) {
-    out[2 + k] = vertex[(ROOT_X + k) * v + i];
-    out[5 + k] = tip[k * v + i];
+  FOR_EACH(i, s.vertices) {
+    __global float *out = record + (size_t)i * RECORD;
+    out[0] = uv[2 * i];
+    out[1] = uv[2 * i + 1];
+    for (int k = 0; k < 3; ++k) {
+      out[2 + k] = vertex[(ROOT_X + k) * v + i];
+      out[5 + k] = tip[k * v + i];
+    }
   }
 }
 
@@ -202,7 +186,7 @@ __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) t
 // where rho is the wetness and u and v are unit vectors. With TURNS_MAP, the seventh float is the number of the factor of
 // curl.turns. table: the layer table.
 __kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, TABLE(float) table, __global float *curls) {
-  for (int i = (int)get_global_id(0); i < s.vertices; i += (int)get_global_size(0)) {
+  FOR_EACH(i, s.vertices) {
     __global float *out = curls + (size_t)i * RECORD;
     for (int k = 0; k < 3; ++k) {
       out[k] = dry[i] * vertex[(size_t)(CURL_UX + k) * s.vertices + i];

@@ -20,10 +20,10 @@ static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(float) b
 // Counts the tiles that each triangle may touch in each layer batch. The result for triangle t in layer batch g is
 // stored in count[g * triangles + t].
 __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box, __global int *count) {
-  int i = (int)get_global_id(0);
-  if (i >= s.layer_batches * s.triangles) return;
-  Span tiles = tiles_of(&s, corners, box, i / s.triangles, i % s.triangles);
-  count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
+  FOR_EACH(i, s.layer_batches * s.triangles) {
+    Span tiles = tiles_of(&s, corners, box, i / s.triangles, i % s.triangles);
+    count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
+  }
 }
 
 // For each layer batch and each triangle, writes one pair (list number, triangle number) per tile that the triangle may
@@ -33,23 +33,23 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box
 //   triangle  receives the triangle number of each pair
 __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,
                          __global int *triangle) {
-  int i = (int)get_global_id(0);
-  if (i >= s.layer_batches * s.triangles) return;
-  int g = i / s.triangles, t = i % s.triangles, at = start[i];
-  Span tiles = tiles_of(&s, corners, box, g, t);
-  for (int y = tiles.top; y <= tiles.bottom; ++y)
-    for (int x = tiles.left; x <= tiles.right; ++x, ++at) {
-      key[at] = (g * s.tiles_y + y) * s.tiles_x + x;
-      triangle[at] = t;
-    }
+  FOR_EACH(i, s.layer_batches * s.triangles) {
+    int g = i / s.triangles, t = i % s.triangles, at = start[i];
+    Span tiles = tiles_of(&s, corners, box, g, t);
+    for (int y = tiles.top; y <= tiles.bottom; ++y)
+      for (int x = tiles.left; x <= tiles.right; ++x, ++at) {
+        key[at] = (g * s.tiles_y + y) * s.tiles_x + x;
+        triangle[at] = t;
+      }
+  }
 }
 
 // Finds the first pair of each list. key: the list numbers of the `count` sorted pairs. list_start receives one entry
 // per list, and after them one more entry, which is the end of the last list.
 __kernel void group_starts(RasterParams s, int count, TABLE(int) key, __global int *list_start) {
-  int i = (int)get_global_id(0);
-  if (i > count) return;
   int lists = s.layer_batches * s.tiles_x * s.tiles_y;
-  int from = i == 0 ? 0 : key[i - 1] + 1, to = i == count ? lists : key[i];
-  for (int list = from; list <= to; ++list) list_start[list] = i;
+  FOR_EACH(i, count + 1) {
+    int from = i == 0 ? 0 : key[i - 1] + 1, to = i == count ? lists : key[i];
+    for (int list = from; list <= to; ++list) list_start[list] = i;
+  }
 }

@@ -78,6 +78,7 @@ __kernel void strand_bin_sum(DrawParams p, __global int *count, __global int *le
 // Computes the start of each tile's list, in a single work-item. The last element of list_start is the total length of all
 // lists, at most 2^31 - 1. Sets the counter of tiles that have been taken to 0.
 __kernel void strand_bin_start(DrawParams p, TABLE(int) length, __global int *list_start, __global int *taken) {
+  if (get_global_id(0) != 0) return;
   int sum = 0;
   for (int tile = 0; tile < p.tiles_x * p.tiles_y; ++tile) {
     list_start[tile] = sum;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "harness/error.hpp"
 #include "tests/shells/opencl/coverage_scene.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
@@ -91,13 +92,20 @@ TEST(Group, DrawsNothingWhereNothingIs) {
                           [](const glm::vec4& pixel) { return pixel == glm::vec4(.1f, .2f, .3f, 0); }));
 }
 
-TEST(Group, IsWhatGpusDrawWith) {
+TEST(Group, IsWhatDevicesOfOneLaneDrawWith) {
   cl::DeviceInfo gpu, cpu;
   gpu.gpu = true;
   cpu.cpu = true;
+  cpu.lanes = 16;
   EXPECT_EQ(default_mapping(gpu), "group");
   EXPECT_EQ(default_mapping(cpu), "tile");
-  EXPECT_EQ(mappings().size(), 3u);
+  EXPECT_EQ(mappings_on(cpu), (std::vector<std::string>{"tile", "pixel", "group"}));
+  EXPECT_EQ(mappings_on(gpu), (std::vector<std::string>{"group", "pixel"}));
+  cpu.lanes = 1;
+  EXPECT_EQ(mappings_on(cpu), mappings_on(gpu));
+  EXPECT_EQ(offered_mapping("", gpu), "group");
+  EXPECT_EQ(offered_mapping("pixel", gpu), "pixel");
+  EXPECT_THROW(offered_mapping("tile", gpu), InputError);
 }
 
 }  // namespace

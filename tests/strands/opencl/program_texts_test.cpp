@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "harness/cl/build_ahead.hpp"
 #include "harness/strands/opencl/strands.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::strands {
@@ -21,30 +19,12 @@ Scene torus_scene() {
   return scene;
 }
 
-/// Returns the expected programs that the pipeline does not build, and the number of programs that it builds
-/// although they are not expected.
-std::pair<std::vector<cl::ProgramText>, std::size_t> differences(const Scene& scene) {
-  const cl::Device device = cl::choose_device("");
-  const std::vector<cl::ProgramText> expected = expected_programs(device, scene, {});
-  const cl::BuildAhead ahead(device, expected);
-  const auto mesh = std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 40, 24));
-  const Strands strands(device, prepare_strands(scene, mesh));
-  const std::vector<cl::ProgramText> unused = ahead.unused();  // before take() marks all as used
-  std::size_t unexpected = 0;
-  for (const cl::Program* program : strands.programs()) {
-    const bool known = std::any_of(expected.begin(), expected.end(), [&](const cl::ProgramText& text) {
-      return cl::BuildAhead::take(device, text)->program == program->get();
-    });
-    unexpected += known ? 0 : 1;
-  }
-  return {unused, unexpected};
-}
-
 void expect_exact(const Scene& scene, const char* what) {
   SCOPED_TRACE(what);
-  const auto [unused, unexpected] = differences(scene);
-  for (const cl::ProgramText& text : unused) ADD_FAILURE() << "not built: " << text.file << text.options;
-  EXPECT_EQ(unexpected, 0u);
+  const cl::Device device = cl::choose_device("");
+  const auto mesh = std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 40, 24));
+  const Strands strands(device, prepare_strands(scene, mesh));
+  test::expect_same_programs(device, expected_programs(device, scene, {}), strands.programs());
 }
 
 TEST(ExpectedPrograms, AreThoseOfThePipeline) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <string>
 #include <vector>
 

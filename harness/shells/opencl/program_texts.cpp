@@ -1,0 +1,59 @@
+#include "harness/shells/opencl/program_texts.hpp"
+
+#include "harness/shells/opencl/mapping.hpp"
+
+namespace pelage::shells {
+
+std::string style_options(const Scene& scene) {
+  std::string options;
+  if (!scene.curl.radius_map.empty()) options += " -D RADIUS_MAP=1";
+  if (!scene.curl.turns_map.empty()) options += " -D TURNS_MAP=1";
+  if (!scene.fur.density_map.empty())
+    options += " -D DENSITY=2";
+  else if (scene.fur.density < 1)
+    options += " -D DENSITY=1";
+  if (has_contact(scene.contact)) options += " -D CONTACT=1";
+  if (by_depth(scene.blend)) options += " -D DEPTH_ORDER=1";
+  return options;
+}
+
+cl::ProgramText geometry_text(const Scene& scene, int lanes, const Tuning& tuning) {
+  return {"rasterize/geometry/geometry.cl", build_options(lanes, tuning) + style_options(scene)};
+}
+
+cl::ProgramText mask_text() {
+  return {"wet/wet.cl", build_options(1, {})};
+}
+
+cl::ProgramText wet_text(const Scene& scene, int lanes) {
+  return {"rasterize/geometry/wet.cl", build_options(lanes, {}) + style_options(scene)};
+}
+
+cl::ProgramText simulate_text(const Scene& scene, int lanes) {
+  std::string options = build_options(lanes, {});
+  if (!scene.fur.length_map.empty()) options += " -D LENGTH_MAP=1";
+  if (has_contact(scene.contact)) options += " -D CONTACT=1";
+  return {"simulate/simulate.cl", options};
+}
+
+cl::ProgramText sticks_text(int lanes) {
+  return {"rasterize/geometry/sticks.cl", build_options(lanes, {})};
+}
+
+std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const Scene& scene,
+                                               const ShellOptions& options) {
+  const MappingKind& kind = mapping_for(scene.blend, options.mapping, device.info());
+  const Tuning tuning = kind.tuning(options.tuning);
+  const int lanes = kind.lanes(device.info());
+  const bool wet = scene.wetness.random > 0 || !scene.wetness.droplets.empty();
+  std::vector<cl::ProgramText> texts;
+  if (wet) texts.push_back(mask_text());
+  texts.push_back(geometry_text(scene, lanes, tuning));
+  for (cl::ProgramText& text : kind.programs(build_options(lanes, tuning) + style_options(scene)))
+    texts.push_back(std::move(text));
+  if (wet) texts.push_back(wet_text(scene, lanes));
+  texts.push_back(has_springs(scene.dynamics) ? sticks_text(lanes) : simulate_text(scene, lanes));
+  return texts;
+}
+
+}  // namespace pelage::shells
