@@ -8,7 +8,7 @@
 namespace pelage::shells {
 namespace {
 
-std::vector<cl::ProgramText> programs_with(const std::string& options) {
+std::vector<cl::ProgramText> tile_programs(const std::string& options) {
   return {{"rasterize/tile/tile.cl", options}};
 }
 
@@ -16,7 +16,7 @@ class TileMapping : public Mapping {
  public:
   explicit TileMapping(const MappingSetup& setup)
       : bins_(setup.geometry),
-        raster_(setup.device, programs_with(setup.options).front()),
+        raster_(setup.device, tile_programs(setup.options).front()),
         draw_(raster_, "tile_shells"),
         lanes_(std::size_t(tile_mapping.lanes(setup.device.info()))) {}
 
@@ -59,7 +59,7 @@ const MappingKind tile_mapping{
     .kernel = "tile_shells",
     .one_eye_per_pixel = true,
     .lanes = [](const cl::DeviceInfo& device) { return device.lanes; },
-    .programs = programs_with,
+    .programs = tile_programs,
     .tuning = [](Tuning tuning) { return tuning; },
     .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
       return std::make_unique<TileMapping>(setup);

@@ -20,7 +20,7 @@ namespace {
 constexpr int workgroup_side = 8;
 constexpr std::size_t work_items = std::size_t(workgroup_side) * workgroup_side;
 
-std::vector<cl::ProgramText> programs_with(const std::string& options) {
+std::vector<cl::ProgramText> workgroup_programs(const std::string& options) {
   return {{"rasterize/workgroup/bin.cl", options},
           cl::RadixSort::program_text(),
           {"rasterize/workgroup/workgroup.cl", options}};
@@ -29,12 +29,12 @@ std::vector<cl::ProgramText> programs_with(const std::string& options) {
 class WorkgroupMapping : public Mapping {
  public:
   explicit WorkgroupMapping(const MappingSetup& setup)
-      : bins_(setup.device, programs_with(setup.options).front()),
+      : bins_(setup.device, workgroup_programs(setup.options).front()),
         count_(bins_, "group_count"),
         emit_(bins_, "group_emit"),
         starts_(bins_, "group_starts"),
         sort_(setup.device),
-        raster_(setup.device, programs_with(setup.options).back()),
+        raster_(setup.device, workgroup_programs(setup.options).back()),
         draw_(raster_, "group_shells") {}
 
   void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
@@ -101,7 +101,7 @@ const MappingKind workgroup_mapping{
     .kernel = "group_shells",
     .one_eye_per_pixel = false,
     .lanes = [](const cl::DeviceInfo&) { return 1; },
-    .programs = programs_with,
+    .programs = workgroup_programs,
     .tuning =
         [](Tuning tuning) {
           tuning["TILE_W"] = tuning["TILE_H"] = workgroup_side;  // the kernels support only 8 x 8 pixels
