@@ -1,10 +1,11 @@
-// Runs independent work on at most two threads, because the reference renderer shares the machine with
-// the pipeline that it checks.
+// Runs independent work on all cores. The results do not depend on the number of threads, because each call
+// of the work writes its own results.
 #pragma once
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <thread>
+#include <vector>
 
 namespace pelage {
 
@@ -15,10 +16,10 @@ void for_each_index(std::size_t count, const Work& work) {
   const auto run = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);
   };
-  if (count < 2 || std::thread::hardware_concurrency() < 2) return run();
-  std::thread second(run);
+  const std::size_t threads = std::min(count, std::size_t(std::thread::hardware_concurrency()));
+  std::vector<std::jthread> others;  // their destructors wait
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(run);
   run();
-  second.join();
 }
 
 /// Calls work(i) once for every i below `count`. A thread takes `grain` consecutive indices at a time, to
