@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "harness/parallel.hpp"
+
 namespace pelage {
 namespace {
 
@@ -71,22 +73,23 @@ Skin weld(const Mesh& mesh) {
 std::vector<glm::dvec3> smooth_tangents(const Skin& s, std::vector<glm::dvec3> field, int iterations,
                                         bool unit) {
   std::vector<glm::dvec3> next(field.size());
+  // The corners of the triangles around each point, in a row, which is faster than to find them again.
+  std::vector<glm::uvec3> around;
+  around.reserve(s.face.size());
+  for (const std::uint32_t face : s.face) around.push_back(s.triangle[face]);
   for (int i = 0; i < iterations; ++i) {
-    for (std::size_t w = 0; w < field.size(); ++w) {
+    for_each_index(field.size(), 4096, [&](std::size_t w) {
       glm::dvec3 sum(0);
-      double count = 0;
       for (std::uint32_t k = s.row[w]; k < s.row[w + 1]; ++k)
-        for (int c = 0; c < 3; ++c) {
-          sum += field[s.triangle[s.face[k]][c]];
-          count += 1;
-        }
+        for (int c = 0; c < 3; ++c) sum += field[around[k][c]];
+      const double count = 3.0 * (s.row[w + 1] - s.row[w]);
       const glm::dvec3 flat = tangential(count > 0 ? sum / count : field[w], s.normal[w]);
       const double length = glm::length(flat);
       if (!unit)
         next[w] = flat;
       else
         next[w] = length > 1e-9 ? flat / length : field[w];
-    }
+    });
     field.swap(next);
   }
   return field;

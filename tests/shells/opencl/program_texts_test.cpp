@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/prepare/prepare.hpp"
 #include "harness/shells/opencl/mapping.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/programs.hpp"
