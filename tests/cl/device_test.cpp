@@ -76,11 +76,11 @@ class WithoutDrivers : public ::testing::Test {
   std::exit(0);
 }
 
-}  // namespace
-
 using WithoutDriversDeathTest = WithoutDrivers;
 
 TEST_F(WithoutDriversDeathTest, NoDeviceSaysWhatToInstall) {
   EXPECT_EXIT(choose_and_exit(""), ::testing::ExitedWithCode(3), "pocl-opencl-icd");
   EXPECT_EXIT(choose_and_exit("nvidia"), ::testing::ExitedWithCode(3), "no OpenCL device");
 }
+
+}  // namespace

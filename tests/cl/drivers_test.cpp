@@ -54,8 +54,6 @@ fs::path some_library() {
   std::exit(static_cast<int>(count));
 }
 
-}  // namespace
-
 using DriversDeathTest = Drivers;
 
 TEST_F(DriversDeathTest, ALibraryThatNoEntryNamesIsFound) {
@@ -96,3 +94,5 @@ TEST(Threads, StayAsTheUserSays) {
   EXPECT_STREQ(std::getenv("POCL_AFFINITY"), "0");
   before ? ::setenv("POCL_AFFINITY", kept.c_str(), 1) : ::unsetenv("POCL_AFFINITY");
 }
+
+}  // namespace
