@@ -24,7 +24,7 @@ void expect_exact(const Scene& scene, const char* what) {
   const cl::Device device = cl::choose_device("");
   const auto mesh = std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 40, 24));
   const Strands strands(device, prepare_strands(scene, mesh));
-  test::expect_same_programs(device, expected_programs(device, scene, {}), strands.programs());
+  pelage::test::expect_same_programs(device, expected_programs(device, scene, {}), strands.programs());
 }
 
 TEST(ExpectedPrograms, AreThoseOfThePipeline) {
