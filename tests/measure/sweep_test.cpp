@@ -1,5 +1,6 @@
 // Tests sweeps (runs of all cases of an experiment) with the pelage binary and the preset `smoke`. The tests
 // kill sweeps, resume them, and divide them among processes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <set>
 #include <thread>
@@ -72,52 +74,62 @@ std::set<std::string> said(const std::string& folder) {
 }
 
 struct Sweep : ::testing::Test {
-  void SetUp() override {
+  static void SetUpTestSuite() {
+    folder = std::make_unique<test::Folder>();
+    whole = (folder->path / "whole").string();
     ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
     // The first run compiles kernels and creates textures, so that the later runs find them in the caches.
-    ASSERT_EQ(pelage(run({"-o", (folder.path / "first").string()})), 0) << "the smoke sweep itself failed";
+    ASSERT_EQ(pelage(run({"-o", (folder->path / "first").string()})), 0) << "the smoke sweep itself failed";
     const auto started = std::chrono::steady_clock::now();
     ASSERT_EQ(pelage(run({"-o", whole})), 0) << "the smoke sweep itself failed";
     whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     expected = said(whole);
     ASSERT_EQ(expected.size(), 4u);
   }
+  static void TearDownTestSuite() { folder.reset(); }
   static std::vector<std::string> run(std::vector<std::string> rest) {
     rest.insert(rest.begin(), {"run", "silva2010-table1", "--preset", "smoke"});
     return rest;
   }
-  test::Folder folder;
-  std::string whole = (folder.path / "whole").string();
+  static inline std::unique_ptr<test::Folder> folder;
+  static inline std::string whole;
   /// Expects that the rows of `results` are equal to the rows of the undisturbed run `whole`. Prints only
   /// rows that differ, because a row is long.
-  void expect_same(const std::string& results) const {
+  static void expect_same(const std::string& results) {
     const std::set<std::string> lines = said(results);
     EXPECT_EQ(lines.size(), expected.size());
     for (const std::string& line : lines)
       EXPECT_TRUE(expected.contains(line)) << row_from_line(line).case_name << " is another row: " << line;
   }
-  double whole_s = 0;
-  std::set<std::string> expected;
+  /// Kills sweeps at `wanted` random moments in all, and expects that each sweep ends with the rows of
+  /// `whole`. Each run resumes the run before it, and the last run of a sweep is not killed.
+  static void kill_and_resume(int wanted) {
+    std::mt19937_64 random(1123);
+    int kills = 0, sweeps = 0;
+    while (kills < wanted) {
+      const std::string out = (folder->path / fmt::format("killed{}-{}", wanted, sweeps++)).string();
+      fs::create_directories(out);
+      for (int i = 0; i < 10 && kills < wanted; ++i)
+        kills += WIFSIGNALED(pelage(run({"--resume", out}), 0.4 * whole_s * double(random() % 1000) / 1000));
+      ASSERT_EQ(pelage(run({"--resume", out})), 0);
+      expect_same(out);
+      ASSERT_LT(sweeps, 20) << "the sweep ends before it can be killed";
+    }
+  }
+  static inline double whole_s = 0;
+  static inline std::set<std::string> expected;
 };
 
+TEST_F(Sweep, KilledAtFourMomentsAndResumedGivesTheSameRows) {
+  kill_and_resume(4);
+}
+
 TEST_F(Sweep, KilledAtTwentyMomentsAndResumedGivesTheSameRows) {
-  std::mt19937_64 random(1123);
-  int kills = 0, sweeps = 0;
-  while (kills < 20) {
-    const std::string out = (folder.path / ("killed" + std::to_string(sweeps++))).string();
-    fs::create_directories(out);
-    // Kills the program at random moments. Each run resumes the run before it, and the last run is not
-    // killed.
-    for (int i = 0; i < 10; ++i)
-      kills += WIFSIGNALED(pelage(run({"--resume", out}), 0.4 * whole_s * double(random() % 1000) / 1000));
-    ASSERT_EQ(pelage(run({"--resume", out})), 0);
-    expect_same(out);
-    ASSERT_LT(sweeps, 20) << "the sweep ends before it can be killed";
-  }
+  kill_and_resume(20);
 }
 
 TEST_F(Sweep, ShardsRepeatsAndRefusals) {
-  const std::string out = (folder.path / "shards").string();
+  const std::string out = (folder->path / "shards").string();
   for (const char* shard : {"0/3", "1/3", "2/3"}) ASSERT_EQ(pelage(run({"-o", out, "--shard", shard})), 0);
   expect_same(out);
   int journals = 0;
@@ -135,7 +147,7 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
 
   // Each repeat must run in its own process.
-  const std::string repeated = (folder.path / "repeats").string();
+  const std::string repeated = (folder->path / "repeats").string();
   ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
   std::set<std::string> runs;
   std::set<int> repeats;

@@ -11,7 +11,7 @@
 namespace pelage::pictures {
 
 std::shared_ptr<const FrameInput> model_frame(const std::string& model, int layers,
-                                              const std::string& shading) {
+                                              const std::string& shading, int width) {
   Scene scene;
   scene.model = model;
   scene.fur.length = .08f;
@@ -23,8 +23,8 @@ std::shared_ptr<const FrameInput> model_frame(const std::string& model, int laye
   scene.clump.shape = .3f;
   scene.dynamics.wind = {{1, .1f, -.4f}, .008f, .6f, 1, 2};
   scene.shading.model = shading;
-  scene.image.width = 320;
-  scene.image.height = 200;
+  scene.image.width = width;
+  scene.image.height = width * 5 / 8;
   return prepare(scene, load_model(model));
 }
 

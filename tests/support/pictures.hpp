@@ -10,10 +10,11 @@
 
 namespace pelage::pictures {
 
-/// Returns the input of a frame of 320 x 200 pixels: a named model with curly, wet fur in the wind. The frame
-/// is a smaller version of the scenes of Table 1 in Curling and Clumping Fur (Silva et al. 2010).
+/// Returns the input of a frame of `width` x 5/8 `width` pixels: a named model with curly, wet fur in the
+/// wind. The frame is a smaller version of the scenes of Table 1 in Curling and Clumping Fur (Silva et al.
+/// 2010).
 std::shared_ptr<const FrameInput> model_frame(const std::string& model, int layers,
-                                              const std::string& shading);
+                                              const std::string& shading, int width = 320);
 
 /// Returns the input of a frame of 160 x 100 pixels: a torus with combed, curly, wet fur in the wind. The
 /// torus is computed by formulas. It is small enough for tests of many pictures.
