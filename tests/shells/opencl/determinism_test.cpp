@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
@@ -83,6 +84,30 @@ TEST(Determinism, WhatClumpsHideDependsOnTheView) {
       every_layer.frame();
       EXPECT_TRUE(same_bits(shells.read(), every_layer.read())) << scale << ", " << distance;
     }
+}
+
+// A renderer draws a single picture without the search for the layers in which wet fur can be visible.
+TEST(Determinism, TheFirstPictureEqualsTheNext) {
+  auto input = std::make_shared<FrameInput>(*model_frame("bunny", 16, "curling"));
+  input->scene.clump.cells = "consistent";
+  ShellOptions single{"tile", {}};
+  single.refine = false;
+  Shells first(device(), input, single), usual(device(), input, {"tile", {}});
+  const auto kernels = [](const cl::FrameTiming& timing) {
+    std::set<std::string> names;
+    for (const cl::KernelTime& k : timing.kernels) names.insert(k.kernel);
+    return names;
+  };
+  const cl::FrameTiming before = first.frame();
+  usual.frame();
+  EXPECT_TRUE(same_bits(first.read(), usual.read()));
+  first.refine();
+  const cl::FrameTiming after = first.still();
+  usual.still();
+  EXPECT_TRUE(same_bits(first.read(), usual.read()));
+  if (before.kernels.empty()) GTEST_SKIP() << "this device has no event times";
+  EXPECT_FALSE(kernels(before).contains("reach_in_view"));
+  EXPECT_TRUE(kernels(after).contains("reach_in_view"));
 }
 
 TEST(Determinism, AnotherSceneIsAnotherPicture) {
