@@ -273,8 +273,10 @@ bool acts(const State& state) {
 }  // namespace
 
 State in_double(const ChainState& s) {
-  State state{glm::dvec3(s.direction[0]),
-              glm::dvec3(s.direction[1]),
+  // The lengths of single-precision directions differ from 1 by 6e-8. The potential energy would differ by k1
+  // 6e-8, and item 6 would stop strands that move slowly.
+  State state{glm::normalize(glm::dvec3(s.direction[0])),
+              glm::normalize(glm::dvec3(s.direction[1])),
               glm::dvec3(s.rate[0]),
               glm::dvec3(s.rate[1]),
               {},

@@ -20,7 +20,7 @@ struct State {
   std::array<double, 2> body{};  ///< impulses of the stops 4 and 5 in the last step, at least 0
 };
 
-/// Converts a state to double precision.
+/// Converts a state to double precision. The directions become unit vectors in double precision.
 State in_double(const ChainState& state);
 
 /// The skin at a root at one time, in the world.
