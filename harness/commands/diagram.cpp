@@ -14,6 +14,7 @@
 #include "harness/diagrams/textures.hpp"
 #include "harness/diagrams/wind_arrow.hpp"
 #include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/keyframes.hpp"
@@ -51,8 +52,9 @@ Picture slices_of(const Scene& scene, const DiagramOptions&) {
 
 Picture drawn(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, const DiagramOptions& options) {
   RendererOptions choice;
+  choice.pipeline = default_pipeline;
   choice.device = options.device;
-  return open_renderer(choice, scene)->draw(scene, mesh).image;
+  return open_renderer(choice, scene, scene)->draw(scene, mesh);
 }
 
 Picture lines_of(const Scene& scene, const DiagramOptions& options) {

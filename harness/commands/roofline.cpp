@@ -7,24 +7,21 @@
 #include "harness/atomic_file.hpp"
 #include "harness/cl/measure.hpp"
 #include "harness/commands/scene_options.hpp"
-#include "harness/compare/shares.hpp"
-#include "harness/compare/strands.hpp"
-#include "harness/compare/windows.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/journal/results_folder.hpp"
 #include "harness/measure/statistics.hpp"
-#include "harness/prepare/prepare.hpp"
 #include "harness/report/plot.hpp"
 #include "harness/report/roofline.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "harness/strands/opencl/strands.hpp"
+#include "harness/system/system.hpp"
 #include "harness/tuning/tuning.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-using strands::PhaseKernel;
+/// Name of a phase and name of a kernel.
+using PhaseKernel = std::pair<std::string, std::string>;
 
 struct RooflineOptions {
   std::string experiment = "silva2010-table1", preset = "quick", device, mapping, tuning = "defaults", output;
@@ -69,71 +66,33 @@ bool all_hold(const Case& which, const std::vector<Check>& checks) {
   return true;
 }
 
-/// As work_of(), for the strands of the case's scene.
-std::optional<FrameWork> strand_work_of(const cl::Device& device, const Scene& scene, const Case& which,
-                                        const std::string& mapping, int frames) {
-  const auto input = strands::prepare_strands(scene, load_scene_mesh(scene));
-  strands::DrawerOptions options;
-  options.mapping = strands::drawing_named(mapping);
-  strands::Strands strands(device, input, options);
-  strands.advance(frames_before(scene.dynamics));
-  for (int i = 0; i < 3; ++i) strands.frame();
-  std::vector<cl::FrameTiming> timings;
-  std::vector<double> wall;
-  for (int i = 0; i < frames; ++i) {
-    timings.push_back(strands.frame());
-    wall.push_back(timings.back().wall_ms);
-  }
-  strands::StrandWork work = strands.work();
-  StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
-  frame.curves = strands.curves();
-  frame.skin = strands.surface();
-  const StrandCheck check = check_strand_frame(*input, frame, 1);
-  if (!all_hold(which, check.checks)) return {};
-  work.fragments = double(check.fragments);
-  return FrameWork{which.name,
-                   double(input->mesh->triangle.size()),
-                   median(wall),
-                   work.fragments,
-                   work.fragments,
-                   work.fragments,
-                   kernels_of(timings, frame_operations(work))};
-}
-
 /// Draws three warm-up frames, then times `frames` frames. If the picture fails its check against the
 /// reference, prints the reason to stderr and returns an empty value.
-std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& experiment, const Case& which,
-                                 const ShellOptions& how, int frames) {
+std::optional<FrameWork> work_of(const Experiment& experiment, const Case& which,
+                                 const BackendOptions& options, int frames) {
   const Scene scene = scene_of(experiment, which);
-  if (which.pipeline == strands::strands_pipeline)
-    return strand_work_of(device, scene, which, how.mapping, frames);
-  const auto input = prepare(scene, load_scene_mesh(scene));
-  Shells shells(device, input, how);
-  shells.advance(frames_before(scene.dynamics));
-  for (int i = 0; i < 3; ++i) shells.frame();
+  // In studies such as "strands+opengl", the first part of the name draws on the device.
+  const KnownBackend known =
+      backend_named(std::string_view(which.pipeline).substr(0, which.pipeline.find('+')));
+  if (!known || !known.kind->on_device)
+    throw InputError(
+        fmt::format("{}: the pipeline {} does not draw on an OpenCL device", which.name, which.pipeline));
+  const auto backend = known.kind->open(options, scene);
+  const auto mesh = load_scene_mesh(scene);
+  backend->load(known.system->prepare(scene, mesh));
+  backend->advance(frames_before(scene.dynamics));
+  backend->begin_checks();
+  for (int i = 0; i < 3; ++i) backend->frame();
   std::vector<cl::FrameTiming> timings;
   std::vector<double> wall;
   for (int i = 0; i < frames; ++i) {
-    timings.push_back(shells.frame());
+    timings.push_back(backend->frame());
     wall.push_back(timings.back().wall_ms);
   }
-  const auto checks = check_against_reference(*input, shells.frames_simulated(), shells.read(), 1).checks;
-  if (!all_hold(which, checks)) return {};
-  const Tally tally = shells.tally();
-  const double wet = wet_share(*input->mesh, shells.mask(), scene.wetness.size);
-  FrameWork work{which.name,
-                 double(input->mesh->triangle.size()),
-                 median(wall),
-                 double(tally.covered),
-                 double(tally.shaded),
-                 double(tally.blended),
-                 {}};
-  std::map<PhaseKernel, double> operations;
-  for (const cl::KernelTime& k : timings.front().kernels)
-    if (const auto all = shells.operations(tally, wet); all.contains(k.kernel))
-      operations[{k.phase, k.kernel}] = all.at(k.kernel);
-  work.kernels = kernels_of(timings, operations);
-  return work;
+  if (!all_hold(which, backend->checks(backend->read(), 1))) return {};
+  const BackendWork work = backend->work();
+  return FrameWork{which.name,   double(mesh->triangle.size()),       median(wall), work.covered, work.shaded,
+                   work.blended, kernels_of(timings, work.operations)};
 }
 
 int roofline(const RooflineOptions& options) {
@@ -143,7 +102,7 @@ int roofline(const RooflineOptions& options) {
   if (cases.empty())
     throw InputError(fmt::format("--filter '{}': no case of {} with preset {} has a name that matches",
                                  options.filter, experiment.name, options.preset));
-  ShellOptions how{options.mapping, {}};
+  BackendOptions how{.mapping = options.mapping};
   if (options.tuning != "defaults") how.tuning = read_tuning(options.tuning);
   const fs::path folder = options.output;
   if (!folder.empty()) {
@@ -151,6 +110,7 @@ int roofline(const RooflineOptions& options) {
     fs::create_directories(folder);
   }
   const cl::Device device = cl::choose_device(options.device);
+  how.device = device;
   const cl::DeviceSpeed speed = cl::measure_device(device);
   if (!speed.timer.real)
     throw InputError(
@@ -160,8 +120,7 @@ int roofline(const RooflineOptions& options) {
   std::vector<FrameWork> frames;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     fmt::print(stderr, "{}/{} {}\n", i + 1, cases.size(), cases[i].name);
-    if (auto work = work_of(device, experiment, cases[i], how, options.frames))
-      frames.push_back(std::move(*work));
+    if (auto work = work_of(experiment, cases[i], how, options.frames)) frames.push_back(std::move(*work));
   }
   fmt::print("{}", text_of(frames, ceilings));
   if (!folder.empty() && !frames.empty()) {

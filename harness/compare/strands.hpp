@@ -58,6 +58,11 @@ std::vector<strands::DrawnStrand> reference_curves(const strands::StrandInput& i
 StrandFrame reference_strands(const strands::StrandInput& input, const std::vector<strands::KeyStrand>& keys,
                               std::shared_ptr<const strands::SkinSurface> skin);
 
+/// Simulates `frames` frames from rest with the reference alone. Returns the key strands, and the skin of the
+/// last frame or null.
+std::pair<std::vector<strands::KeyStrand>, std::shared_ptr<const strands::SkinSurface>> reference_keys(
+    const strands::StrandInput& input, int frames);
+
 /// Computes the picture after `frames` frames from rest with the reference alone. Uses all cores; a frame of
 /// 70,000 key strands takes about 0.1 s.
 StrandFrame reference_strands(const strands::StrandInput& input, int frames);

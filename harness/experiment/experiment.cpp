@@ -98,6 +98,17 @@ void check_recorded(const Experiment& experiment, const std::map<std::string, st
                     experiment.name, cases, size * cases / 1e6, most_recorded / 1e6));
 }
 
+/// Returns the pipeline that the scene of the case names.
+std::string scene_pipeline(const Experiment& experiment, const Case& which) {
+  Scene scene;
+  scene.pipeline = experiment.base.pipeline;
+  if (const auto found = which.settings.find("pipeline"); found != which.settings.end())
+    apply_set(scene, "pipeline=" + found->second);
+  for (const auto& [key, value] : which.set)
+    if (key == "pipeline") apply_set(scene, "pipeline=" + value);
+  return scene.pipeline;
+}
+
 Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
                const std::vector<std::size_t>& choice, const Overrides& overrides,
                const std::map<std::string, std::string>& recorded) {
@@ -144,7 +155,9 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     const auto found = variant->second.find(std::string(key));
     return found == variant->second.end() ? std::string(otherwise) : found->second;
   };
-  result.pipeline = part(pipeline_key, default_pipeline);
+  result.pipeline = part(pipeline_key, scene_pipeline(experiment, result));
+  if (variant == experiment.variants.end() && result.pipeline != default_pipeline)
+    result.variant = result.pipeline;
   result.mapping = part(mapping_key, "");
   result.opengl = part(opengl_key, "");
 

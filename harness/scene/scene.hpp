@@ -360,7 +360,8 @@ struct MeshScene {
 };
 
 struct Scene {
-  std::string model = "bunny";  ///< name of a model in models.toml, or path of a mesh file
+  std::string model = "bunny";      ///< name of a model in models.toml, or path of a mesh file
+  std::string pipeline = "shells";  ///< the pipeline that draws the scene, one of drawing_pipelines()
   MeshScene mesh;
   FurScene fur;
   CurlScene curl;

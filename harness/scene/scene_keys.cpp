@@ -7,6 +7,7 @@
 
 #include "harness/error.hpp"
 #include "harness/scene/contact_keys.hpp"
+#include "harness/scene/pipelines.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/scene/spring_kinds.hpp"
 #include "harness/scene/strand_keys.hpp"
@@ -28,6 +29,18 @@ std::string_view shading_help() {
                           model.what);
     return list;
   }();
+  return text;
+}
+
+std::vector<std::string_view> pipeline_names() {
+  std::vector<std::string_view> names;
+  for (const PipelineName& pipeline : drawing_pipelines()) names.push_back(pipeline.name);
+  return names;
+}
+
+std::string_view pipeline_help() {
+  static const std::string text =
+      "the pipeline that draws the scene, unless --pipeline names another: " + pipelines_help();
   return text;
 }
 
@@ -90,6 +103,7 @@ std::vector<Key> scene_keys(Scene& s) {
   ImageScene& image = s.image;
   std::vector<Key> keys{
       {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file"},
+      {.name = "pipeline", .slot = &s.pipeline, .unit = "", .help = pipeline_help(), .choices = pipeline_names()},
 
       {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
       {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z"},

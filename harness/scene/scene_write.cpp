@@ -245,7 +245,8 @@ std::string scene_hash(const Scene& scene) {
   Scene values = scene;
   std::string all;
   const auto add = [&](const std::vector<Key>& keys, std::string_view prefix) {
-    for (const Key& key : keys) all += fmt::format("{}{}={}\n", prefix, key.name, hashed_value(key));
+    for (const Key& key : keys)
+      if (key.name != "pipeline") all += fmt::format("{}{}={}\n", prefix, key.name, hashed_value(key));
   };
   add(scene_keys(values), "");
   for (const KeyList& list : scene_lists(values))

@@ -1,21 +1,10 @@
-// Makes objects that time the OpenGL baseline (docs/baselines.md), alone or alternately with the OpenCL
-// pipeline. The baseline is the OpenGL pipeline of the papers by Silva et al. 2010.
+// Times an OpenGL baseline (docs/baselines.md) alternately with an OpenCL pipeline.
 #pragma once
 #include <string>
 
 #include "harness/measure/subject.hpp"
 
 namespace pelage {
-
-/// Returns a subject that times only the OpenGL baseline. The field `opengl` of `which` contains the
-/// baseline's implementation options (docs/baselines.md). Throws Unsupported if OpenGL is unavailable.
-std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which);
-
-/// Throws Unsupported if OpenGL is unavailable. Callers run this check before they prepare the mesh.
-void need_opengl();
-
-/// The phase of a row that has the times of an OpenGL baseline which draws in turns with OpenCL.
-inline constexpr const char* opengl_phase = "opengl";
 
 /// Returns a subject that draws in every round one frame of `ours` and then one frame of the baseline
 /// `rival`. In the row of results, the phase (a named list of times) "frame" contains the times of `ours`,

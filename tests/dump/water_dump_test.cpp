@@ -36,7 +36,9 @@ TEST(WaterDump, HoldsTheWetnessOfThePicture) {
   std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
   ASSERT_TRUE(mkdtemp(folder.data()));
   const fs::path path = fs::path(folder) / "frame.h5";
-  dump_frame(path, input, reference_output(input, frames, false));
+  const FrameOutput output = reference_output(input, frames, false);
+  write_dump(path, {input.scene, *input.mesh, output.image, output.pipeline, frames},
+             [&](Hdf5File& file) { dump::write_shells(file, input, output); });
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const std::vector<float> arrival = floats(file, "droplet/arrival"), rho = floats(file, "droplet/rho"),
                            soaked = floats(file, "droplet/wetness");

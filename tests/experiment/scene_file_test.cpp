@@ -49,6 +49,21 @@ TEST_F(SceneFile, IsTakenAsItIs) {
   EXPECT_EQ(first(read("")).coat.image, folder.path / "s/coat.png");
 }
 
+TEST_F(SceneFile, NamesThePipelineOfVariantsThatNameNone) {
+  const auto pipelines = [&](const std::string& keys, const Overrides& overrides = {}) {
+    const Experiment e = read(keys);
+    std::string names;
+    for (const Case& which : cases_of(e, preset_of(e, "quick"), overrides))
+      if (which.axes.at("curl.turns") == "1") names += which.pipeline + " " + which.variant + ";";
+    return names;
+  };
+  EXPECT_EQ(pipelines(""), "shells shells/tile;");
+  scene("pipeline = \"strands\"\n");
+  EXPECT_EQ(pipelines(""), "strands strands;");
+  EXPECT_EQ(pipelines("pipeline = \"reference\""), "reference reference;");
+  EXPECT_EQ(pipelines("", {.set = {{"pipeline", "shells"}}, .axes = {}, .model = ""}), "shells shells/tile;");
+}
+
 TEST_F(SceneFile, IsOverriddenByKeysTablesAxesAndSet) {
   const Experiment e = read(
       "fur.length = 0.06\ncoat.image = \"own.png\"\n[reading.a]\nfur.layers = 12\n[preset.set]\n"

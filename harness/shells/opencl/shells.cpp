@@ -106,10 +106,11 @@ bool is_view_key(std::string_view key) {
   return key.starts_with("camera.") || key.starts_with("shading.") || key == "image.background";
 }
 
-void Shells::set_view(std::shared_ptr<const FrameInput> input) {
+bool Shells::set_view(std::shared_ptr<const FrameInput> input) {
   State& s = *state_;
-  s.raster.set_view(s.queue.device(), *input, s.geometry);
+  if (!s.raster.set_view(s.queue.device(), *input, s.geometry)) return false;
   s.input = std::move(input);
+  return true;
 }
 
 Picture Shells::read() const {

@@ -70,9 +70,9 @@ class Shells {
   void advance(int frames);  ///< simulates `frames` frames without drawing
   cl::FrameTiming still();   ///< draws and times the present fur once more, without a simulation
   /// Changes the camera, the light and the background of the following pictures, and builds nothing. `input`
-  /// differs from the present input only in the camera and in keys for which is_view_key() is true. Throws
-  /// InputError if the size of the picture differs.
-  void set_view(std::shared_ptr<const FrameInput> input);
+  /// differs from the present input only in the camera and in keys for which is_view_key() is true. Returns
+  /// false, and changes nothing, if the size of the picture differs.
+  bool set_view(std::shared_ptr<const FrameInput> input);
   Picture read() const;  ///< copies the picture of the last frame to the host
   /// Computes in which layers each triangle of wet fur can be visible, more tightly than the first picture
   /// needs it. This takes longer than a frame, and later frames take less time. The picture is the same.

@@ -14,7 +14,7 @@
 
 #include "harness/error.hpp"
 #include "harness/gl/context.hpp"
-#include "harness/gl/objects.hpp"
+#include "harness/gl/target.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/contact.hpp"
@@ -37,10 +37,6 @@ double ms_since(Clock::time_point from) {
 
 bool any_wet(const std::vector<glm::vec4>& mask) {
   return std::any_of(mask.begin(), mask.end(), [](const glm::vec4& texel) { return texel.w > 0.0f; });
-}
-
-GLenum target_format(const OpenGlOptions& options) {
-  return options.target == "rgba8" ? GL_RGBA8 : options.target == "rgba16f" ? GL_RGBA16F : GL_RGBA32F;
 }
 
 void check_mask(const FrameInput& input, const std::vector<glm::vec4>& mask) {
@@ -86,7 +82,7 @@ struct OpenGl::State {
   Object coat, mask, density, turns, field;
   Object fixed_buffer, bent_buffer, index_buffer, layer_buffer, arrays;
   Object away_buffer, towards_buffer;  ///< elements of the triangles that face away and of the others
-  Object colour, depth, framebuffer;
+  Target target;
   std::optional<SeenTriangles> seen;  ///< only with triangles=seen
 
   State(std::shared_ptr<const FrameInput> from, const std::vector<glm::vec4>& wetness,
@@ -110,15 +106,9 @@ struct OpenGl::State {
         arrays(make_vertex_array()),
         away_buffer(make_buffer(vertices.index(), GL_DYNAMIC_STORAGE_BIT)),
         towards_buffer(make_buffer(vertices.index(), GL_DYNAMIC_STORAGE_BIT)),
-        colour(make_renderbuffer(target_format(options), input->camera.width, input->camera.height)),
-        depth(make_renderbuffer(GL_DEPTH_COMPONENT32F, input->camera.width, input->camera.height)),
-        framebuffer(make_framebuffer()) {
+        target(options.target, input->camera.width, input->camera.height, true) {
     build(changes || any_wet(wetness));
     lay_out_vertices();
-    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
-    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-    if (glCheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw DeviceError(fmt::format("OpenGL cannot draw into a framebuffer of format {}", options.target));
     fix_state();
     check_gl("setting up a scene");
   }
@@ -160,7 +150,7 @@ struct OpenGl::State {
   /// Sets the OpenGL state that is the same for all frames. It is set only once, because no other scene uses
   /// this context.
   void fix_state() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glBindVertexArray(arrays.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, layer_buffer.id());
     glBindTextureUnit(0, fur_textures.front().id());
@@ -327,12 +317,7 @@ double OpenGl::frame() {
 Picture OpenGl::read() const {
   const State& s = *state_;
   s.context.make_current();
-  Picture picture{s.input->camera.width, s.input->camera.height, {}};
-  picture.pixel.resize(std::size_t(picture.width) * std::size_t(picture.height));
-  // The shader's y axis points down, so glReadPixels returns the top row first.
-  glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.pixel.data());
-  check_gl("glReadPixels");
-  return picture;
+  return s.target.read();
 }
 
 double OpenGl::build_ms() const {
