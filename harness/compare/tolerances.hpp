@@ -115,8 +115,9 @@ inline constexpr double chain_stop = 1e-6, chain_length = 1e-6, chain_energy_ris
 /// the same state. 99.9% of the compared steps must be within the limits. `chain_direction` limits the
 /// distance between the two direction vectors of a segment. `chain_rate` limits the distance between the two
 /// rates (time derivatives of the directions). Its unit is the square root of k1 + g / L. The rates of a
-/// strand near rest follow from a small difference of energies. Single precision rounds these energies with a
-/// relative error of 6e-8, so the rates have an error of about the square root of this number, 2.4e-4.
+/// strand that comes to rest at a stop follow from a small difference of energies. Single precision rounds
+/// these energies with a relative error of 6e-8, so the rates have an error of about the square root of this
+/// number, 2.4e-4.
 inline constexpr double chain_direction = 1e-6, chain_rate = 3e-4;
 /// Limit for the relative error of a soft strand's oscillation frequency, with time steps of 1/240 s.
 inline constexpr double chain_frequency = 0.02;

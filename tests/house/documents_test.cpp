@@ -126,7 +126,7 @@ std::vector<std::string> dead_links(const std::string& text, const fs::path& fol
       continue;
     }
     if (section.empty()) continue;
-    const std::vector<std::string> titles = titles_of(to.empty() ? text : read(folder / to));
+    const std::vector<std::string> titles = titles_of(to.empty() ? text : pelage::test::text_of(folder / to));
     if (std::none_of(titles.begin(), titles.end(),
                      [&](const auto& one) { return anchor_of(one) == section; }))
       faults.push_back(fmt::format("{}: no such section", match->str()));
@@ -138,7 +138,7 @@ std::vector<std::string> dead_links(const std::string& text, const fs::path& fol
 const std::vector<std::string>& known_titles(const std::string& document) {
   static std::map<std::string, std::vector<std::string>> known;
   const auto [entry, fresh] = known.try_emplace(document);
-  if (fresh) entry->second = titles_of(read(root / document));
+  if (fresh) entry->second = titles_of(pelage::test::text_of(root / document));
   return entry->second;
 }
 
@@ -201,7 +201,7 @@ std::vector<std::string> dead_citations(const std::string& file) {
 TEST(Documents, NameWhatExists) {
   EXPECT_GT(documents().size(), 8u);
   for (const fs::path& document : documents()) {
-    const std::string text = read(document), name = document.lexically_relative(root).generic_string();
+    const std::string text = pelage::test::text_of(document), name = document.lexically_relative(root).generic_string();
     for (const std::string& fault : gone(text)) ADD_FAILURE() << name << ": " << fault;
     for (const std::string& fault : dead_links(text, document.parent_path()))
       ADD_FAILURE() << name << ": " << fault;
@@ -214,7 +214,7 @@ TEST(Documents, TogetherHaveAtMost35000Words) {
   std::size_t words = 0;
   for (const fs::path& document : documents()) {
     if (written.contains(document.lexically_relative(root).generic_string())) continue;
-    std::istringstream lines(read(document));
+    std::istringstream lines(pelage::test::text_of(document));
     bool counts = true;
     for (std::string line; std::getline(lines, line);) {
       if (line.starts_with("<!-- ")) counts = line.find(" begin") == std::string::npos;
@@ -239,7 +239,7 @@ TEST(Documents, CitedByTheCodeExist) {
       if (!entry.is_regular_file() || !kinds.contains(entry.path().extension().string())) continue;
       if (entry.path().filename() == "documents_test.cpp") continue;
       ++files;
-      for (const std::string& fault : dead_citations(read(entry.path())))
+      for (const std::string& fault : dead_citations(pelage::test::text_of(entry.path())))
         ADD_FAILURE() << entry.path().lexically_relative(root).generic_string() << ": " << fault;
     }
   EXPECT_GT(files, 500u);

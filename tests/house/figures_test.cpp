@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int checked(const fs::path& tree) {
+int exit_of_check(const fs::path& tree) {
   return std::system(("python3 '" + (tree / "scripts/recorded_tables.py").string() + "' --check").c_str());
 }
 
@@ -26,7 +26,7 @@ void replace_once(const fs::path& file, const std::string& from, const std::stri
 }  // namespace
 
 TEST(Figures, OfTheDocumentsAreThoseOfTheRecordedResults) {
-  EXPECT_EQ(checked(PELAGE_SOURCE_DIR), 0);
+  EXPECT_EQ(exit_of_check(PELAGE_SOURCE_DIR), 0);
 }
 
 // Changes one number in a copy of a document or of a table, one after another. The check must find each
@@ -48,15 +48,15 @@ TEST(Figures, PlantedMistakesAreFound) {
       fs::copy_file(source / file, copy / file, everything);
   };
   documents();
-  EXPECT_EQ(checked(copy), 0);
+  EXPECT_EQ(exit_of_check(copy), 0);
   replace_once(copy / "README.md", "| lion, 365118 triangles | 3 |", "| lion, 365118 triangles | 4 |");
-  EXPECT_NE(checked(copy), 0);
+  EXPECT_NE(exit_of_check(copy), 0);
   documents();
   replace_once(copy / "results/README.md", "\n| two tori, plain shells | 8 |",
                "\n| two tori, plain shells | 9 |");
-  EXPECT_NE(checked(copy), 0);
+  EXPECT_NE(exit_of_check(copy), 0);
   documents();
   replace_once(copy / "results/tables/table1/silva2010-table1.csv", "lion,365118,", "lion,365119,");
-  EXPECT_NE(checked(copy), 0);
+  EXPECT_NE(exit_of_check(copy), 0);
   fs::remove_all(copy);
 }

@@ -81,11 +81,11 @@ TEST(House, KeepsOneCopyOfAComputationInTheKernels) {
 TEST(House, LaunchesKernelsInOnePlaceAndInGroupsOfAKnownSize) {
   Faults faults;
   for (const std::string& file : written_files()) {
-    const Faults found = launch_faults(file, read(root / file));
+    const Faults found = launch_faults(file, pelage::test::text_of(root / file));
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
-  EXPECT_NE(read(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("), std::string::npos);
+  EXPECT_NE(pelage::test::text_of(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("), std::string::npos);
 }
 
 TEST(House, PlantedLaunchesAreFound) {

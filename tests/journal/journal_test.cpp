@@ -22,7 +22,7 @@ using test::sample_row;
 using test::text_of;
 using test::write_text;
 
-std::string refusal(const std::function<void()>& action) {
+std::string error_of(const std::function<void()>& action) {
   try {
     action();
   } catch (const InputError& error) {
@@ -64,7 +64,7 @@ TEST(RowLine, AnyChangedByteIsNoticed) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     std::string changed = line;
     changed[i] = char(changed[i] ^ 1);
-    EXPECT_FALSE(refusal([&] { row_from_line(changed); }).empty()) << i;
+    EXPECT_FALSE(error_of([&] { row_from_line(changed); }).empty()) << i;
   }
 }
 
@@ -105,7 +105,7 @@ TEST(Journal, ATornTailAtEveryByteIsDroppedOnResumeOnly) {
     write_text(file, first + second.substr(0, cut));
     const bool whole = cut == second.size();
     if (cut > 0 && !whole) {
-      EXPECT_NE(refusal([&] { Journal(file, Journal::Mode::fresh); }).find("--resume"), std::string::npos);
+      EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::fresh); }).find("--resume"), std::string::npos);
       EXPECT_EQ(text_of(file).size(), first.size() + cut) << "a refusal must not change the file";
     }
     Journal journal(file, Journal::Mode::resume);
@@ -124,12 +124,12 @@ TEST(Journal, DamageInTheMiddleIsAnError) {
     std::string damaged = first + second;
     damaged[i] = char(damaged[i] ^ 4);
     write_text(file, damaged);
-    const std::string said = refusal([&] { Journal(file, Journal::Mode::resume); });
+    const std::string said = error_of([&] { Journal(file, Journal::Mode::resume); });
     EXPECT_NE(said.find("j.jsonl:1: damaged"), std::string::npos) << i << ": " << said;
     EXPECT_EQ(text_of(file), damaged);
   }
   write_text(file, first + "\n" + second);
-  EXPECT_NE(refusal([&] { Journal(file, Journal::Mode::resume); }).find(":2: damaged"), std::string::npos);
+  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find(":2: damaged"), std::string::npos);
 }
 
 TEST(Journal, AKeyStandsOnce) {
@@ -139,7 +139,7 @@ TEST(Journal, AKeyStandsOnce) {
   {
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
-    EXPECT_NE(refusal([&] { journal.append(sample_row("a")); }).find("already contains the row"),
+    EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("already contains the row"),
               std::string::npos);
     Row repeat = sample_row("a"), changed = sample_row("a");
     repeat.repeat = 1;
@@ -148,14 +148,15 @@ TEST(Journal, AKeyStandsOnce) {
     journal.append(changed);
   }
   write_text(file, line + line);
-  EXPECT_NE(refusal([&] { Journal(file, Journal::Mode::resume); }).find("second row"), std::string::npos);
+  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("second row"), std::string::npos);
 }
 
 TEST(Journal, OneWriterAtATime) {
   const Folder folder;
   const fs::path file = folder.path / "j.jsonl";
   Journal journal(file, Journal::Mode::fresh);
-  EXPECT_NE(refusal([&] { Journal(file, Journal::Mode::resume); }).find("another pelage"), std::string::npos);
+  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("another pelage"),
+            std::string::npos);
 }
 
 TEST(Journal, ReadersPassOverATornTail) {
@@ -164,7 +165,7 @@ TEST(Journal, ReadersPassOverATornTail) {
   const std::string first = to_line(sample_row("a")) + "\n";
   write_text(file, first + first.substr(0, 20));
   EXPECT_EQ(read_journal(file).size(), 1u);
-  EXPECT_FALSE(refusal([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
+  EXPECT_FALSE(error_of([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
 }
 
 // The functions below replace system calls of the journal. The variables g_* select which calls fail. The
@@ -227,10 +228,10 @@ TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
     journal.append(sample_row("a"));
     g_short = 40;
     g_fail_write_after = after;
-    EXPECT_NE(refusal([&] { journal.append(sample_row("b")); }).find("No space left"), std::string::npos);
+    EXPECT_NE(error_of([&] { journal.append(sample_row("b")); }).find("No space left"), std::string::npos);
     EXPECT_EQ(text_of(file), to_line(sample_row("a")) + "\n");
     reset();
-    EXPECT_FALSE(refusal([&] { journal.append(sample_row("c")); }).empty())
+    EXPECT_FALSE(error_of([&] { journal.append(sample_row("c")); }).empty())
         << "a broken journal takes no more";
   }
 }
@@ -238,9 +239,9 @@ TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
 TEST_F(BadCalls, AFailedSyncIsNotRetried) {
   Journal journal(file, Journal::Mode::fresh, calls);
   g_fail_sync = true;
-  EXPECT_NE(refusal([&] { journal.append(sample_row("a")); }).find("synced"), std::string::npos);
+  EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("synced"), std::string::npos);
   g_fail_sync = false;
-  EXPECT_FALSE(refusal([&] { journal.append(sample_row("b")); }).empty());
+  EXPECT_FALSE(error_of([&] { journal.append(sample_row("b")); }).empty());
 }
 
 // The test limits the size of files with setrlimit(). The operating system then writes only a part of the
@@ -257,7 +258,7 @@ TEST(Journal, ARealLimitOnTheFile) {
     setrlimit(RLIMIT_FSIZE, &limit);
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
-    _exit(refusal([&] { journal.append(sample_row("b")); }).empty() ? 1 : 0);
+    _exit(error_of([&] { journal.append(sample_row("b")); }).empty() ? 1 : 0);
   }
   int status = 0;
   waitpid(child, &status, 0);
@@ -268,8 +269,8 @@ TEST(Journal, ARealLimitOnTheFile) {
 TEST(Journal, APlaceThatCannotBeWritten) {
   const Folder folder;
   write_text(folder.path / "file", "x");
-  EXPECT_FALSE(refusal([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }).empty());
-  EXPECT_FALSE(refusal([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }).empty());
+  EXPECT_FALSE(error_of([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }).empty());
+  EXPECT_FALSE(error_of([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }).empty());
 }
 
 }  // namespace

@@ -54,8 +54,9 @@ Soup shape() {
   return soup;
 }
 
-/// The same surface in another order. Some points are listed twice, and -0 stands for 0.
-Soup permuted(const Soup& from, unsigned seed) {
+/// The same surface in another order. Some points are listed twice, and -0 stands for 0. Faces with more than
+/// three corners begin with another corner only if `turn_all` is true.
+Soup permuted(const Soup& from, unsigned seed, bool turn_all = true) {
   std::mt19937 random(seed);
   Soup soup = from;
   for (glm::dvec3& p : soup.point)
@@ -73,7 +74,7 @@ Soup permuted(const Soup& from, unsigned seed) {
   for (std::size_t f = 0; f < order.size(); ++f) {
     std::vector<std::uint32_t> corners = from.polygon[order[f]];
     std::vector<glm::dvec2> uv = from.uv[order[f]];
-    const std::ptrdiff_t turn = std::ptrdiff_t(random() % corners.size());
+    const auto turn = std::ptrdiff_t(turn_all || corners.size() == 3 ? random() % corners.size() : 0);
     std::rotate(corners.begin(), corners.begin() + turn, corners.end());
     std::rotate(uv.begin(), uv.begin() + turn, uv.end());
     for (std::uint32_t& i : corners)
@@ -115,6 +116,7 @@ TEST(Canonical, EqualSurfacesBecomeEqualSoups) {
   }
 }
 
+// Assimp, which reads the UV map of a file, divides a face into triangles from its first corner.
 TEST(Canonical, AFileGivesTheSameMeshInEveryOrder) {
   const TempFolder folder;
   const Soup soup = shape();
@@ -122,7 +124,7 @@ TEST(Canonical, AFileGivesTheSameMeshInEveryOrder) {
   for (const bool keep_uv : {false, true}) {
     const auto expected = load_model(file, fresh({}, keep_uv));
     for (const unsigned seed : {1u, 2u, 3u}) {
-      folder.write("other.obj", obj(permuted(soup, seed)));
+      folder.write("other.obj", obj(permuted(soup, seed, !keep_uv)));
       const auto found = load_model((folder.path() / "other.obj").string(), fresh({}, keep_uv));
       EXPECT_EQ(found->hash, expected->hash) << "seed " << seed << (keep_uv ? ", UV map of the file" : "");
     }
