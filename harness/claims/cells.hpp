@@ -38,7 +38,4 @@ struct Cells {
 /// rows of a case must have been measured with the same inputs (input_sets()).
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows);
 
-/// Returns the times of a phase in ms: wall times, or event times if there are no wall times.
-const std::vector<double>& times_of(const Row& row, const std::string& phase);
-
 }  // namespace pelage::claims

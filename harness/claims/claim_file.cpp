@@ -17,6 +17,7 @@
 #include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
+#include "harness/journal/ratios.hpp"
 #include "harness/toml_text.hpp"
 
 namespace pelage::claims {
@@ -161,6 +162,8 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   read_rows(*rows, claim);
   if (!effect) table.refuse("effect", "effect = { name = \"level\" } is missing");
   read_effect(*effect, claim);
+  for (std::string* name : {&claim.metric, &claim.per, &claim.along})
+    *name = present_metric(*name, file.string());
   if (!table.has("relation")) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
   if (table.holds_text("relation"))
     read_direction(table.text("relation"), table, claim);

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <optional>
 
+#include "harness/base/median.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/hash.hpp"
 #include "harness/journal/part_hashes.hpp"
+#include "harness/journal/ratios.hpp"
 
 namespace pelage {
 namespace {
@@ -31,12 +33,6 @@ constexpr std::size_t fewest_converged = 6;
 /// Largest permitted relative difference between a recorded metric and the value computed from the row's
 /// times.
 constexpr double rounding = 1e-6;
-
-double median_of(Times times) {
-  std::sort(times.begin(), times.end());
-  const std::size_t middle = times.size() / 2;
-  return times.size() % 2 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
-}
 
 bool equal(double a, double b) {
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
@@ -112,16 +108,16 @@ void refuse_events(const Row& row, const PhaseSamples& frame) {
       throw InputError(fmt::format(
           "the event times of the phases of a frame sum to {} ms, but the frame's event time is {} ms",
           sums[i], frame.event_ms[i]));
-  if (median_of(frame.event_ms) > most_event_share * median_of(frame.wall_ms))
+  if (median(frame.event_ms) > most_event_share * median(frame.wall_ms))
     throw InputError(
         fmt::format("the median event time of a frame is {} ms, but its median wall time is {} ms",
-                    median_of(frame.event_ms), median_of(frame.wall_ms)));
+                    median(frame.event_ms), median(frame.wall_ms)));
 }
 
 void refuse_cpu(const Row& row, const std::string& phase, const PhaseSamples& times) {
   const double cpus = number(row, "cpus").value_or(0);
   if (times.cpu_ms.empty() || times.wall_ms.empty() || cpus < 1) return;
-  const double cpu = median_of(times.cpu_ms), wall = median_of(times.wall_ms);
+  const double cpu = median(times.cpu_ms), wall = median(times.wall_ms);
   if (cpu > most_cpu_share * cpus * wall + cpu_margin_ms)
     throw InputError(fmt::format(
         "the median CPU time of the phase {} is {} ms, which is more than {} CPUs can use in {} ms", phase,
@@ -146,35 +142,22 @@ void refuse_times(const Row& row) {
         fmt::format("the row says that its median converged, but it has only {} timed frames", frames));
 }
 
-/// Returns the median of the ratios a[i] / b[i].
-double ratio_of(const Times& a, const Times& b) {
-  Times ratios;
-  for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
-  return median_of(std::move(ratios));
-}
-
 /// Computes the metrics that depend on the row's times. Throws InputError if a recorded metric differs from
 /// the computed metric.
 void refuse_metrics(const Row& row) {
   const Times& frame = row.samples.at("frame").wall_ms;
-  const auto refuse = [](const std::string& name, double recorded, double computed) {
-    throw InputError(
-        fmt::format("the metric {} is {}, but the row's times give {}", name, recorded, computed));
+  const auto demand = [&](const std::string& name, double computed) {
+    const auto metric = row.metrics.find(name);
+    if (metric != row.metrics.end() && !equal(metric->second.value, computed))
+      throw InputError(fmt::format("the metric {} is {}, but the row's times give {}", name,
+                                   metric->second.value, computed));
   };
-  const auto rate = row.metrics.find("fragments_per_s"), covered = row.metrics.find("covered_fragments");
-  if (rate != row.metrics.end() && covered != row.metrics.end()) {
-    const double computed = covered->second.value / (median_of(frame) / 1000);
-    if (!equal(rate->second.value, computed)) refuse("fragments_per_s", rate->second.value, computed);
-  }
-  // For the phases "half" and "quarter", which draw fewer layers, and "baseline", which draws another scene,
-  // the metric PHASE_ratio is frame time / phase time. For the phases of other pipelines, the metric is phase
-  // time / frame time.
+  if (const auto covered = row.metrics.find("covered_fragments"); covered != row.metrics.end())
+    demand("fragments_per_s", covered->second.value / (median(frame) / 1000));
   for (const auto& [phase, times] : row.samples) {
-    const auto ratio = row.metrics.find(phase + "_ratio");
-    if (phase == "frame" || times.wall_ms.empty() || ratio == row.metrics.end()) continue;
-    const bool cost = phase == "half" || phase == "quarter" || phase == "baseline";
-    const double computed = cost ? ratio_of(frame, times.wall_ms) : ratio_of(times.wall_ms, frame);
-    if (!equal(ratio->second.value, computed)) refuse(ratio->first, ratio->second.value, computed);
+    if (phase == "frame" || times.wall_ms.empty()) continue;
+    demand(ratio_metric(phase), median(ratios_by_round(times.wall_ms, frame)));
+    demand(frame_over_metric(phase), median(ratios_by_round(frame, times.wall_ms)));
   }
 }
 

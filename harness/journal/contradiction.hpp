@@ -17,7 +17,8 @@ namespace pelage {
 /// - A row has at least six frames if the field `converged` of its provenance is true. This field states that
 ///   the median frame time has the required precision.
 /// - The metric fragments_per_s equals the number of covered fragments divided by the median wall time. Each
-///   metric PHASE_ratio equals the ratio computed from the wall times of the phase and of the frames.
+///   metric PHASE_ratio, or frame_over_PHASE, equals the ratio computed from the wall times of the phase and
+///   of the frames (harness/journal/ratios.hpp).
 /// - Every part of the row's identity (harness/journal/identity.hpp) is a hash.
 /// - In a row with the status ok, four parts of the identity agree with other fields of the row. The parts
 ///   "scene" and "mesh" equal the fields scene_hash and mesh_hash. The part "device" is the hash of the

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "harness/journal/contradiction.hpp"
+#include "harness/journal/ratios.hpp"
 
 namespace pelage {
 namespace {
@@ -151,6 +152,7 @@ Row row_from_json(const Json& json) {
   json.at("image_hash").get_to(row.image_hash);
   row.provenance = json.at("provenance");
   check_provenance(row.provenance);
+  if (schema < kRowSchema) convert_to_present(row);
   refuse_contradiction(row);
   return row;
 }
@@ -239,6 +241,13 @@ std::vector<double> frame_ms(const Row& row) {
   const auto found = row.samples.find("frame");
   return row.status == Status::ok && found != row.samples.end() ? found->second.wall_ms
                                                                 : std::vector<double>{};
+}
+
+const std::vector<double>& times_of(const Row& row, const std::string& phase) {
+  static const std::vector<double> none;
+  const auto found = row.samples.find(phase);
+  if (found == row.samples.end()) return none;
+  return found->second.wall_ms.empty() ? found->second.event_ms : found->second.wall_ms;
 }
 
 }  // namespace pelage

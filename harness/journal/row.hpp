@@ -16,8 +16,9 @@
 
 namespace pelage {
 
-/// The schema of new rows. Rows of schema 1 have no identity.
-inline constexpr int kRowSchema = 2;
+/// The schema of new rows. Rows of schema 1 have no identity. In rows of schemas 1 and 2, some metrics have
+/// other names (harness/journal/ratios.hpp).
+inline constexpr int kRowSchema = 3;
 
 enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 
@@ -43,7 +44,7 @@ struct Metric {
 };
 
 struct Row {
-  int schema = kRowSchema;
+  int schema = kRowSchema;  ///< 1 or kRowSchema: row_from_line() converts rows of schema 2
   std::string run_id;
   std::string experiment;
   std::string case_name;
@@ -81,10 +82,15 @@ struct NewerSchema : InputError {
 
 /// Reads a line that to_line() wrote. Throws InputError for a wrong checksum, invalid JSON, a missing field,
 /// a field of the wrong type, fields that contradict each other (harness/journal/contradiction.hpp), or a
-/// schema that this version of pelage does not read.
+/// schema that this version of pelage does not read. Converts rows of older schemas (convert_to_present()).
 Row row_from_line(std::string_view line);
 
 /// Returns the wall times of whole frames in milliseconds; an empty list if the row is not ok.
 std::vector<double> frame_ms(const Row& row);
+
+/// Returns the times of a phase that count: its wall times, or its event times if it has no wall times, as a
+/// phase within a frame. Claims, reports and comparisons all follow this rule, which also holds for the phase
+/// "frame". Returns an empty list if the row has no times of the phase.
+const std::vector<double>& times_of(const Row& row, const std::string& phase);
 
 }  // namespace pelage

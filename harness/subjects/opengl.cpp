@@ -1,14 +1,10 @@
 #include "harness/subjects/opengl.hpp"
 
-#include <fmt/format.h>
-
 #include "harness/compare/pictures.hpp"
 #include "harness/compare/shares.hpp"
 #include "harness/compare/windows.hpp"
-#include "harness/error.hpp"
 #include "harness/journal/part_hashes.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/measure/statistics.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/parallel.hpp"
 #include "harness/prepare/prepare.hpp"
@@ -17,7 +13,7 @@
 #include "harness/shells/opengl/opengl.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
-#include "harness/subjects/shells.hpp"
+#include "harness/subjects/with_opengl.hpp"
 
 namespace pelage {
 namespace {
@@ -102,55 +98,7 @@ class OpenGlSubject : public Subject {
   OpenGl opengl_;
 };
 
-class Duel : public Subject {
- public:
-  Duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival, std::string phase)
-      : ours_(std::move(ours)), rival_(std::move(rival)), phase_(std::move(phase)) {}
-
-  FrameSample frame() override {
-    FrameSample sample = ours_->frame();
-    const FrameSample theirs = rival_->frame();
-    sample.phase_wall_ms[phase_] = theirs.wall_ms;
-    if (theirs.cpu_ms) sample.phase_cpu_ms[phase_] = *theirs.cpu_ms;
-    return sample;
-  }
-  Picture read() override { return ours_->read(); }
-  std::vector<Check> check(const Picture& timed) override {
-    std::vector<Check> checks = ours_->check(timed);
-    for (Check& check : other_filter_checks(phase_, compare(timed, rival_->read())))
-      checks.push_back(std::move(check));
-    return checks;
-  }
-  void describe(Row& row) override {
-    ours_->describe(row);
-    Row other;
-    rival_->describe(other);
-    row.metrics[phase_ + "_build_ms"] = {other.build_ms, "ms"};
-    for (const auto& [key, value] : other.provenance.items())
-      if (!row.provenance.contains(key)) row.provenance[key] = value;
-    row.identity.insert(other.identity.begin(), other.identity.end());
-    row.metrics[phase_ + "_ratio"] = median_ratio(row.samples[phase_].wall_ms, row.samples["frame"].wall_ms);
-  }
-
- private:
-  std::unique_ptr<Subject> ours_, rival_;
-  std::string phase_;
-};
-
 }  // namespace
-
-std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival,
-                              const std::string& phase) {
-  return std::make_unique<Duel>(std::move(ours), std::move(rival), phase);
-}
-
-void need_opengl() {
-  try {
-    opengl_renderer();
-  } catch (const InputError& error) {
-    throw Unsupported(error.what());
-  }
-}
 
 std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which) {
   need_opengl();

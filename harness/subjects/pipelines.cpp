@@ -9,6 +9,7 @@
 #include "harness/subjects/raycast_difference.hpp"
 #include "harness/subjects/shells.hpp"
 #include "harness/subjects/strands.hpp"
+#include "harness/subjects/with_opengl.hpp"
 
 namespace pelage {
 namespace {
@@ -29,7 +30,7 @@ constexpr Pipeline table[] = {
     {"shells+opengl",
      [](SubjectContext& context, const Case& which) {
        need_opengl();
-       return duel(make_shells(context, which), make_opengl(context, which), "opengl");
+       return with_opengl(make_shells(context, which), make_opengl(context, which));
      }},
     {"strands", make_strand_frames},
     {"strands+opengl", make_strands_against_opengl},

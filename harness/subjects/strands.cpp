@@ -12,8 +12,8 @@
 #include "harness/strands/opencl/strands.hpp"
 #include "harness/strands/opengl/ribbon_options.hpp"
 #include "harness/subjects/agreement_metrics.hpp"
-#include "harness/subjects/opengl.hpp"
 #include "harness/subjects/simulation_times.hpp"
+#include "harness/subjects/with_opengl.hpp"
 
 namespace pelage {
 namespace {
@@ -169,7 +169,7 @@ std::unique_ptr<Subject> make_strands_against_opengl(SubjectContext& context, co
   need_key_light_only(*input);
   auto ours = strands_subject(context, which, input, true);
   auto theirs = std::make_unique<RibbonsSubject>(input, ours->keys(), options);
-  return duel(std::move(ours), std::move(theirs), opengl_phase);
+  return with_opengl(std::move(ours), std::move(theirs));
 }
 
 }  // namespace pelage

@@ -71,13 +71,13 @@ def _metrics(row):
         if not _equal(metrics["fragments_per_s"]["value"], computed):
             yield "the metric fragments_per_s does not follow from the row's times"
     for phase, lists in samples.items():
-        if phase == "frame" or not lists["wall_ms"] or f"{phase}_ratio" not in metrics:
+        if phase == "frame" or not lists["wall_ms"]:
             continue
-        ratios = [a / b for a, b in zip(lists["wall_ms"], wall)]
-        if phase in ("half", "quarter", "baseline"):  # these metrics are frame time / phase time
-            ratios = [1 / ratio for ratio in ratios]
-        if not _equal(metrics[f"{phase}_ratio"]["value"], median(ratios)):
-            yield f"the metric {phase}_ratio does not follow from the row's times"
+        rounds = list(zip(lists["wall_ms"], wall))
+        for name, ratios in ((f"{phase}_ratio", [own / frame for own, frame in rounds]),
+                             (f"frame_over_{phase}", [frame / own for own, frame in rounds])):
+            if name in metrics and not _equal(metrics[name]["value"], median(ratios)):
+                yield f"the metric {name} does not follow from the row's times"
 
 
 def _is_hash(text):

@@ -50,14 +50,14 @@ TEST(Identity, ARowKeepsItsIdentityAndItsSchema) {
   Row row = sample_row("a");
   row.identity = {{"scene", "0123456789abcdef"}, {"kernel a.cl", "fedcba9876543210"}};
   const Row back = row_from_line(to_line(row));
-  EXPECT_EQ(back.schema, 2);
+  EXPECT_EQ(back.schema, 3);
   EXPECT_EQ(back.identity, row.identity);
   row.schema = 1;
   const Row old = row_from_line(to_line(row));
   EXPECT_EQ(old.schema, 1);
   EXPECT_TRUE(old.identity.empty());
-  row.schema = 3;
-  EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("schema 3"), std::string::npos);
+  row.schema = 4;
+  EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("schema 4"), std::string::npos);
 }
 
 TEST(Identity, ARowThatContradictsItsChecksIsRefused) {
@@ -73,10 +73,10 @@ TEST(Identity, ARowThatContradictsItsChecksIsRefused) {
 TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
   const Folder folder;
   Row row = sample_row("a");
-  row.schema = 3;
+  row.schema = 4;
   write_text(folder.path / "j.jsonl", to_line(row) + "\n");
   const std::string text = refusal([&] { read_journal(folder.path / "j.jsonl"); });
-  EXPECT_NE(text.find("j.jsonl:1: the row has schema 3"), std::string::npos) << text;
+  EXPECT_NE(text.find("j.jsonl:1: the row has schema 4"), std::string::npos) << text;
   EXPECT_EQ(text.find("delete"), std::string::npos) << text;
 }
 

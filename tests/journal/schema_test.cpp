@@ -83,7 +83,7 @@ TEST(Schema, RefusesWhatNoRowMayBe) {
   text += with([](auto& j) { j["check"] = nlohmann::ordered_json::array(); });
   text += with([](auto& j) { j["samples"].erase("frame"); });
   text += with([](auto& j) { j["speed"] = 1; });
-  text += with([](auto& j) { j["schema"] = 3; });
+  text += with([](auto& j) { j["schema"] = kRowSchema + 1; });
   text += with([](auto& j) { j["samples"]["frame"]["cpu_ms"] = "8"; });
   text += with([](auto& j) { j["image_hash"] = ""; });
   test::write_text(file, text);
