@@ -9,7 +9,7 @@ binary=$build/pelage
 usage() {
   cat <<'TEXT'
 Usage: ./bootstrap.sh table1 [options of pelage run]   set up, build, time Table 1, print it beside the paper's figures
-       ./bootstrap.sh test [options of ctest]          set up, build, run the whole test suite
+       ./bootstrap.sh test [--full] [options of ctest] set up, build, run the tests; --full: also those that take long
        ./bootstrap.sh build                            set up and build build/release/pelage
        ./bootstrap.sh setup [FILE...]                  install the packages of packages.txt (and of each FILE) only
   --no-install before the command: do not change the system; list the missing packages instead.
@@ -141,9 +141,11 @@ case $command in
   table1) set_up "$install"; build pelage; table1 "$@" ;;
   test)
     set_up "$install"
+    tests=(--label-exclude full)
+    if [[ ${1:-} == --full ]]; then tests=(); shift; fi
     build all
     say "running the tests"
-    ctest --test-dir "$build" --output-on-failure --parallel 2 "$@"
+    ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "${tests[@]}" "$@"
     say "the test suite succeeded"
     ;;
   help | -h | --help) usage ;;

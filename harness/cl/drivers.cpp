@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "harness/cl/environment.hpp"
 #include "harness/cl/kernel_cache.hpp"
 
 namespace pelage::cl {
@@ -27,11 +28,6 @@ constexpr const char* usual_folders[] = {"/usr/lib/x86_64-linux-gnu",
                                          "/usr/lib/wsl/lib",
                                          "/run/opengl-driver/lib"};
 
-std::string text_of(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value ? value : "";
-}
-
 void append(std::vector<fs::path>& folders, const std::string& list) {
   std::istringstream stream(list);
   for (std::string folder; std::getline(stream, folder, ':');)
@@ -40,15 +36,15 @@ void append(std::vector<fs::path>& folders, const std::string& list) {
 
 std::vector<fs::path> driver_folders() {
   std::vector<fs::path> folders;
-  append(folders, text_of("PELAGE_DRIVERS"));
+  append(folders, environment("PELAGE_DRIVERS"));
   if (!folders.empty()) return folders;
-  append(folders, text_of("LD_LIBRARY_PATH"));
+  append(folders, environment("LD_LIBRARY_PATH"));
   folders.insert(folders.end(), std::begin(usual_folders), std::end(usual_folders));
   return folders;
 }
 
 fs::path vendor_folder() {
-  const std::string given = text_of("OPENCL_VENDOR_PATH");
+  const std::string given = environment("OPENCL_VENDOR_PATH");
   return given.empty() ? "/etc/OpenCL/vendors" : given;
 }
 
@@ -99,7 +95,7 @@ void announce_drivers() {
     need_kernel_cache();
     explain_aborts();
     const fs::path vendors = vendor_folder();
-    if (!text_of("OCL_ICD_VENDORS").empty() || names_nvidia(vendors)) return true;
+    if (!environment("OCL_ICD_VENDORS").empty() || names_nvidia(vendors)) return true;
     const std::optional<fs::path> library = nvidia_library(driver_folders());
     if (!library) return true;
     std::error_code failed;
@@ -112,7 +108,7 @@ void announce_drivers() {
     // The OpenCL loader searches the folder in OPENCL_VENDOR_PATH for driver entries (*.icd), but only during
     // its first call. The code therefore deletes the folder after this call. It also restores the variable's
     // old value, because child processes inherit the variable and would search the deleted folder.
-    const std::string before = text_of("OPENCL_VENDOR_PATH");
+    const std::string before = environment("OPENCL_VENDOR_PATH");
     ::setenv("OPENCL_VENDOR_PATH", folder.c_str(), 1);
     cl_uint count = 0;
     clGetPlatformIDs(0, nullptr, &count);

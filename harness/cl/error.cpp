@@ -81,7 +81,7 @@ constexpr Named names[] = {
     {-9999, "illegal memory access in a kernel (an error code of NVIDIA's driver)"},
 };
 
-const char* advice(cl_int code) {
+const char* advice_for(cl_int code) {
   switch (code) {
     case CL_MEM_OBJECT_ALLOCATION_FAILURE:
     case CL_OUT_OF_RESOURCES:
@@ -120,7 +120,8 @@ std::string error_name(cl_int code) {
 }
 
 void check(cl_int code, std::string_view call) {
-  if (code != CL_SUCCESS) throw DeviceError(fmt::format("{}: {}: {}", call, error_name(code), advice(code)));
+  if (code != CL_SUCCESS)
+    throw DeviceError(fmt::format("{}: {}: {}", call, error_name(code), advice_for(code)));
 }
 
 }  // namespace pelage::cl

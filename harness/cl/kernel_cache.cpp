@@ -7,21 +7,18 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "harness/cl/environment.hpp"
+
 namespace pelage::cl {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const char* variable) {
-  const char* value = std::getenv(variable);
-  return value ? value : "";
-}
-
-std::string advice;  // text that the signal handler prints; set before the handler is installed
+std::string crash_advice;  // text that the signal handler prints; set before the handler is installed
 
 extern "C" void explain(int signal) {
   // A signal handler may call write(), but not printf().
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, advice.data(), advice.size());
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, crash_advice.data(), crash_advice.size());
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -29,10 +26,11 @@ extern "C" void explain(int signal) {
 }  // namespace
 
 fs::path kernel_cache() {
-  if (const std::string given = text_of("POCL_CACHE_DIR"); !given.empty()) return given;
-  if (const std::string given = text_of("XDG_CACHE_HOME"); !given.empty())
+  if (const std::string given = environment("POCL_CACHE_DIR"); !given.empty()) return given;
+  if (const std::string given = environment("XDG_CACHE_HOME"); !given.empty())
     return fs::path(given) / "pocl/kcache";
-  if (const std::string home = text_of("HOME"); !home.empty()) return fs::path(home) / ".cache/pocl/kcache";
+  if (const std::string home = environment("HOME"); !home.empty())
+    return fs::path(home) / ".cache/pocl/kcache";
   return {};
 }
 
@@ -47,7 +45,7 @@ std::string kernel_cache_fault(const fs::path& folder) {
 
 void need_kernel_cache() {
   // PoCL aborts if POCL_CACHE_DIR is set but empty.
-  if (text_of("POCL_CACHE_DIR").empty()) ::unsetenv("POCL_CACHE_DIR");
+  if (environment("POCL_CACHE_DIR").empty()) ::unsetenv("POCL_CACHE_DIR");
   const fs::path wanted = kernel_cache();
   if (wanted.empty()) return;
   const std::string fault = kernel_cache_fault(wanted);
@@ -72,7 +70,7 @@ void need_kernel_cache() {
 void explain_aborts() {
   const fs::path folder = kernel_cache();
   if (folder.empty()) return;
-  advice = fmt::format(
+  crash_advice = fmt::format(
       "pelage: the program was aborted, probably by PoCL because a file in its folder of compiled kernels is "
       "damaged; delete this folder and run the command again: {}\n",
       folder.string());

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/claims/claim.hpp"
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/results_folder.hpp"
 
 namespace pelage::claims {
 

@@ -14,11 +14,11 @@
 #include <optional>
 #include <set>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
-#include "harness/journal/ratios.hpp"
-#include "harness/toml_text.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -177,14 +177,7 @@ toml::table parsed(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || fs::is_directory(file))
     throw InputError(fmt::format("{}: the file of claims cannot be read", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  check_toml_text(text, file.string());
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
-  }
+  return parse_toml({std::istreambuf_iterator<char>(stream), {}}, file.string());
 }
 
 void read_list(const fs::path& file, const toml::table& source, ClaimFile& result,

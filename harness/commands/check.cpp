@@ -24,7 +24,7 @@
 namespace pelage {
 namespace {
 
-constexpr int frames = 30;          // number of simulated frames of 1/60 s each; the last one is drawn
+constexpr int shell_frames = 30;    // number of simulated frames of 1/60 s each; the last one is drawn
 constexpr int hashed_frames = 100;  // number of frames of strands in one hash
 
 struct CheckOptions {
@@ -44,9 +44,9 @@ FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> inp
   ShellOptions options;
   options.mapping = mapping;
   Shells shells(device, std::move(input), options);
-  shells.advance(frames - 1);
+  shells.advance(shell_frames - 1);
   shells.frame();
-  return {mapping, frames, shells.tips(), {}, shells.mask(), shells.read()};
+  return {mapping, shell_frames, shells.tips(), {}, shells.mask(), shells.read()};
 }
 
 /// Compares a time step of the chains (stage "chains") and a picture (stage "strands").
@@ -56,7 +56,7 @@ std::vector<StageCheck> check_strands(const cl::Device& device, const CheckScene
   if (!stages.contains("chains") && !stages.contains("strands")) return all;
   const auto input = strands::prepare_strands(which.scene, load_scene_mesh(which.scene));
   strands::Strands strands(device, input);
-  strands.advance(frames - 1);
+  strands.advance(shell_frames - 1);
   strands.frame();
   StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
   frame.curves = strands.curves();
@@ -89,7 +89,7 @@ std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& 
   };
   const bool picture = stages.contains("picture"), others = stages.contains("mappings");
   const FrameOutput reference =
-      picture ? reference_output(*input, frames, false) : reference_motion(*input, frames);
+      picture ? reference_output(*input, shell_frames, false) : reference_motion(*input, shell_frames);
   if (which.motion && stages.contains("simulate")) {
     const TipErrors errors = tip_errors(double(which.scene.fur.length), drawn.tips, reference.tips);
     add("simulate", "", {check_worst_tip(errors), check_usual_tip(errors)});

@@ -22,7 +22,6 @@ namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-using diagrams::Section;
 
 struct DiagramOptions {
   std::string kind, output = "-", device;
@@ -73,17 +72,17 @@ Picture wind_of(const Scene& scene, const DiagramOptions& options) {
   return picture;
 }
 
-Section shape_of(const Scene& scene) {
+diagrams::Section shape_of(const Scene& scene) {
   return diagrams::shape_section(scene);
 }
-Section clump_of(const Scene& scene) {
+diagrams::Section clump_of(const Scene& scene) {
   const glm::vec2 length = load_scene_mesh(scene)->length_per_uv;
   return diagrams::clump_section(scene, 0.5 * (double(length.x) + double(length.y)));
 }
-Section curl_of(const Scene& scene) {
+diagrams::Section curl_of(const Scene& scene) {
   return diagrams::curl_section(scene);
 }
-Section layers_of(const Scene& scene) {
+diagrams::Section layers_of(const Scene& scene) {
   return diagrams::layer_section(*prepare(scene, load_scene_mesh(scene)), frames_of(scene));
 }
 
@@ -92,7 +91,7 @@ struct Kind {
   const char* name;
   const char* what;
   Picture (*picture)(const Scene&, const DiagramOptions&);
-  Section (*section)(const Scene&);
+  diagrams::Section (*section)(const Scene&);
 };
 
 constexpr Kind kinds[] = {

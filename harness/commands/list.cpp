@@ -66,7 +66,7 @@ int list_all(bool json) {
   return 0;
 }
 
-std::string text_of(const Metric& figure) {
+std::string figure_text(const Metric& figure) {
   const std::string relation = figure.relation == "=" ? "" : figure.relation + " ";
   return fmt::format("{}{} {}", relation, figure.value, figure.unit);
 }
@@ -75,7 +75,7 @@ int list_cases(const ListOptions& options) {
   const Experiment e = read_experiment(experiment_file(options.experiment));
   Json list = Json::array();
   for (const Case& c : cases_of(e, preset_of(e, options.preset))) {
-    const std::string paper = c.published ? text_of(*c.published) : "";
+    const std::string paper = c.published ? figure_text(*c.published) : "";
     if (options.json) {
       list.push_back({{"case", c.name}, {"variant", c.variant}, {"axes", c.axes}, {"paper", paper}});
     } else {

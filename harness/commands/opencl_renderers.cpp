@@ -16,7 +16,7 @@
 namespace pelage {
 namespace {
 
-std::string text_of(const cl::Device& device) {
+std::string label_of(const cl::Device& device) {
   return fmt::format("{}, {} {}", device.info().name, device.info().platform, device.info().driver);
 }
 
@@ -46,7 +46,7 @@ class ShellsRenderer : public SceneRenderer {
   explicit ShellsRenderer(const RendererOptions& options) : device_(cl::choose_device(options.device)) {
     options_.mapping = options.mapping;
   }
-  std::string device() const override { return text_of(device_); }
+  std::string device() const override { return label_of(device_); }
 
   DrawnFrame draw(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) override {
     update(scene, mesh);
@@ -96,7 +96,7 @@ class StrandsRenderer : public SceneRenderer {
     options_.mapping = strands::drawing_named(options.mapping);
     ahead_ = std::make_unique<cl::BuildAhead>(device_, strands::expected_programs(device_, scene, options_));
   }
-  std::string device() const override { return text_of(device_); }
+  std::string device() const override { return label_of(device_); }
 
   DrawnFrame draw(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) override {
     update(scene, mesh);

@@ -97,7 +97,7 @@ int run(const TopologyCommand& command) {
   for (const springs::Kind kind : springs::kinds)
     print(*mesh, kind, springs::Vertices::points, "", published);
   const std::size_t strands = (counts.faces + 15) / 16 * 16 * sizeof(float) *
-                              (std::size_t(STRAND_COLUMNS) + std::size_t(STATE_COLUMNS));
+                              (std::size_t(VIRTUAL_STRAND_COLUMNS) + std::size_t(STATE_COLUMNS));
   row("strands (Silva et al. 2010)", counts.faces, counts.faces, "1 / 1.00 / 1",
       fmt::format("{:.0f}", double(strands) / 1024), "-");
   if (counts.copies != counts.points)

@@ -29,7 +29,7 @@ bool has_wetness_keyframes(const Scene& scene) {
 }
 
 /// Returns the table. If keys of the water have keyframes, the droplets are made again for each line.
-std::string table(const Scene& scene, double to, double fps) {
+std::string water_table(const Scene& scene, double to, double fps) {
   const auto mesh = load_scene_mesh(scene);
   const Skin skin = weld(*mesh);
   const bool again = has_wetness_keyframes(scene);
@@ -50,7 +50,7 @@ int run(const WaterOptions& options) {
     throw InputError(fmt::format("--to {} --fps {}: {:.0f} lines; give at most {:.0f}", options.to,
                                  options.fps, options.to * options.fps, most_lines));
   check_table_path(options.csv, "the account of the water");
-  write_drawn_table(options.csv, table(resolve_scene(options.scene), options.to, options.fps));
+  write_drawn_table(options.csv, water_table(resolve_scene(options.scene), options.to, options.fps));
   return 0;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "harness/experiment/toml_values.hpp"
-#include "harness/journal/ratios.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage {
 

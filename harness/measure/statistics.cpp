@@ -8,7 +8,7 @@
 #include <map>
 #include <random>
 
-#include "harness/journal/ratios.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/base/median.hpp"
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

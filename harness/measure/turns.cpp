@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "harness/journal/ratios.hpp"
 #include "harness/measure/statistics.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage {
 

@@ -11,7 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Limits limits{.memory = std::uint64_t(2) << 30, .time = std::chrono::seconds(60), .what = "font"};
+constexpr Limits font_limits{
+    .memory = std::uint64_t(2) << 30, .time = std::chrono::seconds(60), .what = "font"};
 
 }  // namespace
 
@@ -36,8 +37,8 @@ TextMask paint_text(const TextLine& line, int side) {
   if (!fs::is_regular_file(line.font, error))
     throw InputError(fmt::format("{}: there is no such font file", line.font.string()));
   const ImageModule& module = image_module();
-  const std::string bytes =
-      isolated(line.font.string(), limits, [&](const Say&) { return module.text_bytes(line, side); }, {});
+  const std::string bytes = isolated(line.font.string(), font_limits,
+                                     [&](const Say&) { return module.text_bytes(line, side); }, {});
   return {side, {bytes.begin(), bytes.end()}};
 }
 

@@ -172,13 +172,14 @@ Slice half(const Slice& full) {
   return out;
 }
 
-std::uint8_t byte(double value) {
+std::uint8_t rounded_byte(double value) {
   return std::uint8_t(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
 void store(const Slice& slice, std::vector<std::array<std::uint8_t, 2>>& texels) {
   for (std::size_t i = 0; i < slice.coverage.size(); ++i)
-    texels.push_back({byte(255.0 * double(slice.coverage[i])), byte(shade_unit * double(slice.shade[i]))});
+    texels.push_back(
+        {rounded_byte(255.0 * double(slice.coverage[i])), rounded_byte(shade_unit * double(slice.shade[i]))});
 }
 
 }  // namespace

@@ -44,10 +44,6 @@ std::vector<std::string> present(const Table& table, const std::vector<std::stri
   return result;
 }
 
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
-
 /// For each case, divides the frame time of every variant by the frame time of the fastest variant in this
 /// case. Returns the geometric mean of these ratios over the cases, for each variant.
 std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
@@ -152,13 +148,11 @@ std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
   if (shows("frame_over_baseline"))
     remarks.emplace_back(
         "frame_over_baseline: time of the case divided by the time of the baseline scene in the same rounds, "
-        "and "
-        "its 95% interval. Above 1, the case is slower.");
+        "and its 95% interval. Above 1, the case is slower.");
   if (shows("frame_over_half") || shows("frame_over_quarter"))
     remarks.emplace_back(
         "frame_over_half, frame_over_quarter: time of the frame divided by the time of a frame with half or "
-        "a "
-        "quarter of the layers in the same rounds, and its 95% interval.");
+        "a quarter of the layers in the same rounds, and its 95% interval.");
   if (std::any_of(values.begin(), values.end(), [](const auto& name) { return name.ends_with("_ratio"); }))
     remarks.emplace_back(
         "NAME_ratio: time of the baseline NAME divided by our time in the same rounds, and its 95% interval. "

@@ -8,17 +8,14 @@
 #include <set>
 #include <tuple>
 
+#include "harness/base/numbers.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/equal_pictures.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/record/equal_pictures.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
 namespace {
-
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
 
 /// Returns the rank by which the columns of the axes are sorted: first the model, then all other axes, then
 /// the number of layers, then the picture size.

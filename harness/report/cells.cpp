@@ -16,11 +16,6 @@
 namespace pelage {
 namespace {
 
-std::string text(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string{};
-}
-
 Cell cell_of(const FoundRow& found) {
   const Row& row = found.row;
   Cell cell;
@@ -28,13 +23,13 @@ Cell cell_of(const FoundRow& found) {
   cell.case_name = row.case_name;
   cell.variant = row.variant;
   cell.device = row.device;
-  cell.host = text(row, "host");
+  cell.host = provenance_text(row, "host");
   cell.axes = row.axes;
   cell.overrides = row.overrides;
   cell.identity = row.identity;
   cell.image = picture_of(found);
-  cell.renderer = text(row, "opengl_renderer");
-  cell.title = text(row, "title");
+  cell.renderer = provenance_text(row, "opengl_renderer");
+  cell.title = provenance_text(row, "title");
   if (const auto view = row.provenance.find("view"); view != row.provenance.end()) cell.view = *view;
   return cell;
 }
@@ -59,7 +54,8 @@ void add(Cell& cell, const Row& row) {
     cell.reason = row.reason;
   }
   cell.contended = cell.contended || !load_warning(row).empty();
-  if (const std::string hash = text(row, "picture_hash"); !hash.empty()) cell.picture_hashes.insert(hash);
+  if (const std::string hash = provenance_text(row, "picture_hash"); !hash.empty())
+    cell.picture_hashes.insert(hash);
   if (!row.image_hash.empty()) cell.pixel_hashes.insert(row.image_hash);
   std::vector<double> times = frame_ms(row);
   if (times.empty()) return;

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "harness/journal/results_folder.hpp"
 #include "harness/measure/difference.hpp"
+#include "harness/record/results_folder.hpp"
 
 namespace pelage {
 
 struct Cell {
   std::string experiment, case_name, variant, device, host;
   std::map<std::string, std::string> axes, overrides;
-  Identity identity;           ///< identity of all combined rows (harness/journal/identity.hpp)
+  Identity identity;           ///< identity of all combined rows (harness/record/identity.hpp)
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
   std::map<std::string, Metric> metrics;  ///< each metric, combined over the rows (combined_metric())
@@ -50,6 +50,11 @@ struct Cell {
   std::optional<Metric> paper_fps() const;
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
 };
+
+/// Whether the cell's rows are ok and have times.
+inline bool timed(const Cell& cell) {
+  return cell.status == Status::ok && cell.median_ms > 0;
+}
 
 /// Returns the settings that the user changed on the command line: "fur.length=0.1; size=800x600". Returns ""
 /// without changes.

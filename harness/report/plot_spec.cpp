@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/journal/provenance.hpp"
+#include "harness/base/numbers.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/report/case_table.hpp"
 

@@ -19,7 +19,7 @@ std::optional<double> ratio_of_pipelines(const Cell& c) {
 }
 
 /// Returns the name of the cell, without its value of the axis "reading".
-std::string place_of(Cell cell) {
+std::string name_without_reading(Cell cell) {
   cell.axes.erase("reading");
   return name_of(cell);
 }
@@ -75,7 +75,7 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
                     "{}the ratios have the geometric mean {:.2f} over {} of {} cells ({}) and the minimum "
                     "{:.2f} ({}).",
                     name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
-                    *ratio_of_pipelines(*least), place_of(*least))
+                    *ratio_of_pipelines(*least), name_without_reading(*least))
               : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
                             members.size()));
   }
@@ -89,8 +89,8 @@ std::string overhead_of(const std::vector<Cell>& cells) {
   std::vector<double> ours, opengl;
   for (const Cell& coat : cells)
     for (const Cell& plain : cells) {
-      if (coat.reading() != "default" || plain.reading() != "plain" || place_of(coat) != place_of(plain) ||
-          coat.variant != plain.variant)
+      if (coat.reading() != "default" || plain.reading() != "plain" ||
+          name_without_reading(coat) != name_without_reading(plain) || coat.variant != plain.variant)
         continue;
       const auto a = coat.phase_ms.find("opengl"), b = plain.phase_ms.find("opengl");
       if (!ratio_of_pipelines(coat) || !ratio_of_pipelines(plain) || a == coat.phase_ms.end() ||

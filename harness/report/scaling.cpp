@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "harness/base/numbers.hpp"
 #include "harness/report/sections.hpp"
 #include "harness/table/render.hpp"
 
@@ -26,9 +27,8 @@ int layers_of(const Cell& cell) {
 }
 
 std::array<int, 2> size_of(const Cell& cell) {
-  const std::string size = cell.axis("size");
-  const auto cross = size.find('x');
-  return {std::atoi(size.c_str()), cross == std::string::npos ? 0 : std::atoi(size.c_str() + cross + 1)};
+  const Size size = size_from_text(cell.axis("size")).value_or(Size{});
+  return {size.width, size.height};
 }
 
 /// Returns the cell that has `layers` layers and otherwise the same device, host, variant, model and picture

@@ -12,11 +12,7 @@ namespace {
 
 constexpr const char* axis = "dynamics.topology";
 
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
-
-std::string place_of(Cell cell) {
+std::string all_but_topology(Cell cell) {
   cell.axes.erase(axis);
   return name_of(cell) + "\n" + cell.variant;
 }
@@ -34,9 +30,9 @@ std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Tab
 /// Returns the cell with the topology `first` whose variant and other axes are equal to those of `like`.
 /// Returns null if there is no such cell, or if the cell has no time.
 const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
-  const std::string place = place_of(like);
+  const std::string place = all_but_topology(like);
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
-    return c.axis(axis) == first && timed(c) && place_of(c) == place;
+    return c.axis(axis) == first && timed(c) && all_but_topology(c) == place;
   });
   return found == cells.end() ? nullptr : &*found;
 }
@@ -71,7 +67,8 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
         ratios.push_back(c.median_ms / first->median_ms);
       if (!simulate_ms(c)) continue;
       shares.push_back(*simulate_ms(c) / c.median_ms);
-      if (shares.back() >= most) most = shares.back(), worst = place_of(c).substr(0, place_of(c).find('\n'));
+      if (shares.back() >= most)
+        most = shares.back(), worst = all_but_topology(c).substr(0, all_but_topology(c).find('\n'));
     }
     table.lines.push_back(
         {text_value(topology),

@@ -14,8 +14,6 @@
 namespace pelage {
 namespace {
 
-constexpr double most_seed = 4294967295.0;
-
 std::vector<std::string_view> shading_names() {
   std::vector<std::string_view> names;
   for (const ShadingModel& model : shading_models()) names.push_back(model.name);

@@ -30,6 +30,8 @@ struct Key {
   bool may_be_empty = false;  ///< permits the empty string, for a string without `choices`
 };
 
+inline constexpr double most_seed = 4294967295.0;  ///< largest value of a random seed, 2^32 - 1
+
 /// Returns all keys in the order in which write_scene() writes them, except those of the lists
 /// (scene_lists()). Key::slot points into `scene`.
 std::vector<Key> scene_keys(Scene& scene);

@@ -3,11 +3,7 @@
 #include "harness/scene/strand_keys.hpp"
 
 namespace pelage {
-namespace {
-
-constexpr double most_seed = 4294967295.0;
-
-}  // namespace
+namespace {}  // namespace
 
 // clang-format off
 std::vector<Key> strand_keys(StrandsScene& s) {

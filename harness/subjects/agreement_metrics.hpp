@@ -1,7 +1,7 @@
 // Metrics of a row that help to find the cause of a failed check of the picture.
 #pragma once
 #include "harness/compare/metrics.hpp"
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

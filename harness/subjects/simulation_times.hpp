@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "harness/base/median.hpp"
-#include "harness/journal/row.hpp"
 #include "harness/measure/subject.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

@@ -20,7 +20,7 @@ typedef struct {
 
 // Columns of the array of the strands' constants: the normal, the anchor (the tip's rest position), and the cosine and
 // the sine of the gust's phase.
-enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
+enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, VIRTUAL_STRAND_COLUMNS };
 // Columns of the array of the strands' state: three columns for the position of the strand's mass relative to its root,
 // and three columns for the mass's velocity.
 enum { TIP_X, TIP_Y, TIP_Z, SPEED_X, SPEED_Y, SPEED_Z, STATE_COLUMNS };

@@ -39,12 +39,12 @@ __kernel void strand_frame(SimulateParams s, TABLE(float) gusts, TABLE(float) st
   a.tip = load_column3(state, TIP_X, s.stride, block);
   a.speed = load_column3(state, SPEED_X, s.stride, block);
 #if LENGTH_MAP
-  real length = load_real(strands + (size_t)STRAND_COLUMNS * s.stride, block), length_square = length * length;
+  real length = load_real(strands + (size_t)VIRTUAL_STRAND_COLUMNS * s.stride, block), length_square = length * length;
 #else
   real length = REAL(s.length), length_square = REAL(s.length * s.length);
 #endif
 #if CONTACT
-  real3 root = load_column3(strands, STRAND_COLUMNS + (LENGTH_MAP ? 1 : 0), s.stride, block);
+  real3 root = load_column3(strands, VIRTUAL_STRAND_COLUMNS + (LENGTH_MAP ? 1 : 0), s.stride, block);
 #endif
   for (int i = 0; i < s.substeps; ++i) {
     real3 f = forces(s, a, anchor, phase_cos, phase_sin, gusts[2 * i], gusts[2 * i + 1]);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Pair {
+struct Change {
   float scale;
   int shift;
 };
@@ -43,8 +43,8 @@ class Programs : public ::testing::Test {
 
 const char* const scaling = R"(
 #include "factor.clh"
-typedef struct { float scale; int shift; } Pair;
-__kernel void scaled(__global const float *in, Pair pair, uint count, __global float *out) {
+typedef struct { float scale; int shift; } Change;
+__kernel void scaled(__global const float *in, Change pair, uint count, __global float *out) {
   size_t i = get_global_id(0);
   if (i < count) out[i] = FACTOR * pair.scale * in[i] + pair.shift;
 }
@@ -65,7 +65,7 @@ TEST_F(Programs, TakeBuffersAndRecordsInOrder) {
     const cl::Program program(device_, "scaling.cl", options);
     EXPECT_GT(program.build_ms(), 0);
     cl::Kernel kernel(program, "scaled");
-    kernel.with(in, Pair{0.5f, 7}, static_cast<cl_uint>(values.size()), out).enqueue(queue, 1024);
+    kernel.with(in, Change{0.5f, 7}, static_cast<cl_uint>(values.size()), out).enqueue(queue, 1024);
     const std::vector<float> result = out.read(queue);
     for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(result[i], factor * 0.5f * values[i] + 7) << i;
   }

@@ -20,10 +20,6 @@ std::string output_of(const Folder& folder, const std::string& script, int code 
   return folder.read("output") + folder.read("errors");
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// Installs pelage into the folder `inst`. The tests change installed files and expect that the program uses
 /// the changed files.
 struct Install : ::testing::Test {

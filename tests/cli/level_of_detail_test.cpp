@@ -10,7 +10,7 @@ namespace {
 
 const std::filesystem::path program = std::filesystem::path(PELAGE_BINARY).parent_path() / "pelage-bench-lod";
 
-std::string output_of(const Folder& folder, const std::string& arguments) {
+std::string output_of_bench(const Folder& folder, const std::string& arguments) {
   const std::string command =
       fmt::format("cd '{}' && ASAN_OPTIONS=detect_leaks=0 timeout 600 '{}' {} >out 2>err",
                   folder.path().string(), program.string(), arguments);
@@ -21,7 +21,7 @@ std::string output_of(const Folder& folder, const std::string& arguments) {
 TEST(LevelOfDetail, ADollyHardlyPopsAndKeepsItsCoverage) {
   const Folder folder;
   for (const char* model : {"bunny", "torus"}) {
-    const std::string out = output_of(folder, fmt::format("{} 100000 320x240", model));
+    const std::string out = output_of_bench(folder, fmt::format("{} 100000 320x240", model));
     double ratio = 0;
     ASSERT_TRUE(RE2::PartialMatch(out, R"(dolly: .*ratio ([0-9.]+))", &ratio)) << out;
     EXPECT_LE(ratio, 1.5) << model;

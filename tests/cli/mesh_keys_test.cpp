@@ -11,7 +11,7 @@ namespace {
 const char* const overlapping =
     "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nvt 0.1 0.1\nvt 0.9 0.1\nvt 0.1 0.9\n"
     "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 1/1 4/2 3/3\nf 2/1 3/2 4/3\n";
-const char* const small = " --set fur.layers=4 --set fur.texture=64 --size 64x48 ";
+const char* const small_picture = " --set fur.layers=4 --set fur.texture=64 --size 64x48 ";
 
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -20,7 +20,8 @@ bool holds(const std::string& text, const std::string& part) {
 TEST(MeshKeys, AWarningOfOverlapReachesRender) {
   const Folder folder;
   folder.write("t.obj", overlapping);
-  const std::string render = std::string("render --pipeline reference -o a.png --model t.obj") + small;
+  const std::string render =
+      std::string("render --pipeline reference -o a.png --model t.obj") + small_picture;
   const Outcome kept = pelage(folder, render + "--set fur.uv=file");
   EXPECT_EQ(kept.code, 0) << kept.err;
   EXPECT_TRUE(holds(kept.err, "t: UV map: 100.00% of the map overlaps")) << kept.err;
@@ -48,7 +49,7 @@ TEST(MeshKeys, AMissingMapIsOneErrorAndExitCode2) {
   const Folder folder;
   folder.write("t.off", "OFF\n4 4 0\n1 1 1\n-1 -1 1\n-1 1 -1\n1 -1 -1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   for (const std::string& arguments :
-       {std::string("render --pipeline reference -o a.png --model t.off --set fur.uv=file") + small,
+       {std::string("render --pipeline reference -o a.png --model t.off --set fur.uv=file") + small_picture,
         std::string("mesh t.off --keep-uv")}) {
     const Outcome outcome = pelage(folder, arguments);
     EXPECT_EQ(outcome.code, 2) << outcome.err;
@@ -58,7 +59,7 @@ TEST(MeshKeys, AMissingMapIsOneErrorAndExitCode2) {
 
 TEST(MeshKeys, ARotationChangesThePicture) {
   const Folder folder;
-  const std::string render = std::string("render --pipeline reference --model banisch-dog") + small;
+  const std::string render = std::string("render --pipeline reference --model banisch-dog") + small_picture;
   EXPECT_EQ(pelage(folder, render + "-o a.png").code, 0);
   EXPECT_EQ(pelage(folder, render + "-o b.png --set 'mesh.rotate=[0, 90, 0]'").code, 0);
   EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
@@ -69,7 +70,7 @@ TEST(MeshKeys, ARotationChangesThePicture) {
 
 TEST(MeshKeys, AFileWhoseZAxisPointsUpIsTurned) {
   const Folder folder;
-  const std::string render = std::string("render --pipeline reference --model banisch-dog") + small;
+  const std::string render = std::string("render --pipeline reference --model banisch-dog") + small_picture;
   EXPECT_EQ(pelage(folder, render + "-o y.png").code, 0);
   EXPECT_EQ(pelage(folder, render + "-o z.png --up z").code, 0);
   EXPECT_EQ(pelage(folder, render + "-o key.png --set mesh.up=z").code, 0);
@@ -88,7 +89,8 @@ TEST(MeshKeys, RepairsArePrintedOnceAndByTheCommandMesh) {
   const Folder folder;
   // The comment in the OBJ file makes its content unique, so that the mesh is not yet in the mesh cache.
   folder.write("t.obj", std::string(overlapping) + "f 1/1 3/2 2/3\n# " + folder.path().string() + "\n");
-  const std::string render = std::string("render --pipeline reference -o a.png --model t.obj") + small;
+  const std::string render =
+      std::string("render --pipeline reference -o a.png --model t.obj") + small_picture;
   const Outcome first = pelage(folder, render), second = pelage(folder, render);
   EXPECT_TRUE(holds(first.err, "dropped 1 degenerate or doubled face")) << first.err;
   EXPECT_EQ(second.code, 0) << second.err;

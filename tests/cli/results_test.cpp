@@ -10,7 +10,7 @@
 namespace pelage::cli {
 namespace {
 
-std::string experiment(const std::string& length) {
+std::string experiment_of(const std::string& length) {
   return "name = \"own\"\n[axes]\nmodel = [\"torus-24x12\"]\nlayers = [4, 8]\nsize = "
          "[\"320x240\"]\n[scene]\nfur.length = " +
          length +
@@ -20,7 +20,7 @@ std::string experiment(const std::string& length) {
 
 struct Results : ::testing::Test {
   void SetUp() override {
-    folder.write("own.toml", experiment("0.1"));
+    folder.write("own.toml", experiment_of("0.1"));
     const Outcome first = pelage(folder, "run own.toml -o first");
     ASSERT_EQ(first.code, 0) << first.err;
   }
@@ -37,18 +37,18 @@ TEST_F(Results, ResumeKeepsRowsOfEqualInputs) {
 }
 
 TEST_F(Results, ResumeRefusesAnEditedScene) {
-  folder.write("own.toml", experiment("0.12"));
+  folder.write("own.toml", experiment_of("0.12"));
   const Outcome edited = resume();
   EXPECT_EQ(edited.code, 2);
   EXPECT_NE(edited.err.find("measured something else: scene was "), std::string::npos) << edited.err;
   EXPECT_EQ(std::count(edited.err.begin(), edited.err.end(), '\n'), 1) << edited.err;
-  folder.write("own.toml", experiment("0.1"));
+  folder.write("own.toml", experiment_of("0.1"));
   EXPECT_EQ(resume().code, 0);
 }
 
 // A row records a hash of the scene file's content, so --resume detects that the file was edited.
 TEST_F(Results, ResumeRefusesAnEditedSceneFile) {
-  std::string text = experiment("0.1");
+  std::string text = experiment_of("0.1");
   text.replace(text.find("fur.length = 0.1"), 16, "file = \"my.toml\"");
   folder.write("own.toml", text);
   folder.write("my.toml", "[fur]\nlength = 0.1\n");
@@ -63,7 +63,7 @@ TEST_F(Results, ResumeRefusesAnEditedSceneFile) {
 
 // Without random droplets, no other key of the wetness changes a pixel.
 TEST_F(Results, EqualPicturesAreNamedByRunAndReport) {
-  std::string text = experiment("0.1");
+  std::string text = experiment_of("0.1");
   text.replace(text.find("layers = [4, 8]"), 15, "layers = [4]\nstate = [\"dry\", \"soaked\", \"long\"]");
   folder.write("own.toml",
                text + "[state.soaked]\nwetness.wetness = 0.8\n[state.long]\ncurl.radius = 0.02\n");
@@ -83,7 +83,7 @@ TEST_F(Results, EqualPicturesAreNamedByRunAndReport) {
 
 // The rows say what was measured, without the experiment file.
 TEST_F(Results, RowsAndReportsContainTheSceneKeys) {
-  std::string text = experiment("0.1");
+  std::string text = experiment_of("0.1");
   text.replace(text.find("layers = [4, 8]"), 15, "layers = [4]\nstate = [\"dry\", \"soaked\"]");
   folder.write("own.toml", text + "[state.soaked]\nwetness.random = 40\nwetness.wetness = 0.8\n");
   ASSERT_EQ(pelage(folder, "run own.toml -o wet").code, 0);
@@ -103,7 +103,7 @@ TEST_F(Results, RowsAndReportsContainTheSceneKeys) {
 
 // A wrong name in [report] is reported before the run, and a report can use the corrected file.
 TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
-  folder.write("own.toml", experiment("0.1") + "[report]\ny = \"medan_ms\"\n");
+  folder.write("own.toml", experiment_of("0.1") + "[report]\ny = \"medan_ms\"\n");
   const std::string warning =
       "own.toml: report.y names the column medan_ms, which is neither an axis nor a time of the table; did "
       "you mean "
@@ -119,7 +119,7 @@ TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
       std::string::npos)
       << wrong.err;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "page/plots/own-frame-time.json"));
-  folder.write("own.toml", experiment("0.1") + "[report]\ny = \"median_ms\"\n");
+  folder.write("own.toml", experiment_of("0.1") + "[report]\ny = \"median_ms\"\n");
   const Outcome mended = pelage(folder, "report second -o page --view own.toml");
   EXPECT_EQ(mended.code, 0) << mended.err;
   EXPECT_EQ(mended.err.find("no such column"), std::string::npos) << mended.err;
@@ -131,7 +131,7 @@ TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
 }
 
 TEST_F(Results, AnExperimentMayNameAnExampleScene) {
-  std::string text = experiment("0.1");
+  std::string text = experiment_of("0.1");
   text.replace(text.find("fur.length"), 0, "file = \"wet-curls\"\n");
   folder.write("own.toml", text);
   const Outcome plan = pelage(folder, "run own.toml --dry-run");
@@ -180,7 +180,7 @@ TEST_F(Results, LinkLoopsAndLongNamesAreBadInput) {
 }
 
 TEST_F(Results, ResumeRefusesOtherLimitsOfSampling) {
-  std::string text = experiment("0.1");
+  std::string text = experiment_of("0.1");
   text.replace(text.find("most = 2"), 8, "most = 3");
   folder.write("own.toml", text);
   const Outcome edited = resume();
@@ -202,7 +202,7 @@ TEST_F(Results, ResumeRefusesAnEditedKernelOnlyIfItRan) {
 }
 
 TEST_F(Results, OtherInputsOfEqualNamesStandApart) {
-  folder.write("own.toml", experiment("0.12"));
+  folder.write("own.toml", experiment_of("0.12"));
   ASSERT_EQ(pelage(folder, "run own.toml -o second").code, 0);
   const Outcome report = pelage(folder, "report first second -o page");
   EXPECT_EQ(report.code, 0) << report.err;
@@ -294,7 +294,7 @@ TEST_F(Results, AFullDiskLeavesARunThatCanBeContinued) {
   const std::string there = "cd '" + folder.path().string() + "' && unshare -Urm sh ";
   if (std::system((there + "-c '" + inside + "' 2>/dev/null").c_str()) != 0)
     GTEST_SKIP() << "this process may not mount a small file system";
-  folder.write("own.toml", experiment("0.1"));
+  folder.write("own.toml", experiment_of("0.1"));
   const std::string program = "ASAN_OPTIONS=detect_leaks=0 '" PELAGE_BINARY "' run own.toml ";
   folder.write("script.sh", inside + "\nhead -c $1 /dev/zero >full/filler 2>/dev/null\n" + program +
                                 "-o full/run 2>errors\necho $? >code\nrm full/filler\n" + program +
@@ -323,7 +323,7 @@ TEST(Caches, WithoutAWritableCacheKernelsAreCompiledIntoATemporaryFolder) {
 }
 
 TEST_F(Results, NumbersAreNamedAsTheyAreWritten) {
-  std::string text = experiment("0.1");
+  std::string text = experiment_of("0.1");
   text.replace(text.find("layers = [4, 8]"), 15, "layers = [4]\ncurl.radius = [0.05, 0.1]");
   folder.write("own.toml", text);
   const Outcome dry = pelage(folder, "run own.toml --dry-run");
@@ -336,7 +336,7 @@ TEST_F(Results, MeshFilesOfOneNameAreToldApartAndLongNamesRefused) {
     std::filesystem::create_directory(folder.path() / place);
     folder.write(place + "/m.obj", "a mesh; --dry-run does not read it");
   }
-  std::string text = experiment("0.1");
+  std::string text = experiment_of("0.1");
   text.replace(text.find("[\"torus-24x12\"]"), 15, "[\"x/m.obj\", \"y/m.obj\"]");
   folder.write("own.toml", text);
   const Outcome dry = pelage(folder, "run own.toml --dry-run");

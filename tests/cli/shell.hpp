@@ -56,4 +56,8 @@ inline Outcome pelage(const Folder& folder, const std::string& arguments, const 
           folder.read("stderr")};
 }
 
+inline bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace pelage::cli

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* small =
+constexpr const char* few_strands =
     "--model torus --size 240x180 --set dynamics.topology=chains --set dynamics.gravity=[0,-4,0] --set "
     "'strands.layer=[{count=5000,length=0.15}]' ";
 
@@ -23,7 +23,7 @@ TEST(Strands, TheDeviceAndTheReferenceDrawTheSamePicture) {
   const Folder folder;
   for (const std::string pipeline : {"strands", "strands-reference"}) {
     const Outcome outcome = pelage(folder, fmt::format("render {} --pipeline {} -o {}.exr --dump {}.h5",
-                                                       small, pipeline, pipeline, pipeline));
+                                                       few_strands, pipeline, pipeline, pipeline));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(fs::exists(folder.path() / (pipeline + ".h5")));
   }

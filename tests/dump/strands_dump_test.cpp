@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns the rows of the table in docs/strands.md. A row may name several datasets.
-Datasets documented() {
+Datasets documented_of_strands() {
   std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "docs/strands.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::istringstream lines(text.substr(text.find("## The dump")));
@@ -50,7 +50,7 @@ TEST(StrandsDump, HoldsWhatTheDocumentSaysAndNothingElse) {
   ASSERT_TRUE(mkdtemp(folder.data()));
   const fs::path path = fs::path(folder) / "frame.h5";
   dump_strands(path, *input, frame, "strands-reference", 1);
-  const Datasets file = datasets_of(path), table = documented();
+  const Datasets file = datasets_of(path), table = documented_of_strands();
   fs::remove_all(folder);
   ASSERT_GT(table.size(), 15u);
   const std::map<std::string, std::size_t> symbols{{"K", input->fur.keys.size()},

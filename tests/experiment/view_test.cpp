@@ -19,7 +19,7 @@ View view_of(const std::string& report) {
   return read_experiment(folder.path / "e.toml").view;
 }
 
-std::string refusal_of(const std::string& report) {
+std::string refusal_of_view(const std::string& report) {
   try {
     view_of(report);
   } catch (const InputError& error) {
@@ -67,7 +67,7 @@ TEST(View, BadTablesAreRefusedWithTheirLine) {
         {"[report]\ny = []\n", "e.toml:7: report.y must be a string or a list of strings"},
         {"[report]\nseries = [1]\n", "e.toml:7: report.series must be a string or a list of strings"},
         {"[report]\nscale = \"cubic\"\n", "e.toml:7: report.scale must be \"linear\" or \"log\""}})
-    EXPECT_NE(refusal_of(text).find(part), std::string::npos) << text << "\n" << refusal_of(text);
+    EXPECT_NE(refusal_of_view(text).find(part), std::string::npos) << text << "\n" << refusal_of_view(text);
 }
 
 }  // namespace

@@ -161,9 +161,13 @@ TEST_F(Bootstrap, PassesOnHowTheRunEnded) {
 }
 
 TEST_F(Bootstrap, RunsTheTestsAndPassesOnTheirVerdict) {
+  stub(folder_ / "bin/nproc", "echo 5");
   const Outcome passed = run("test -R cl");
   EXPECT_EQ(passed.exit_code, 0) << passed.text;
-  EXPECT_TRUE(has(passed.calls, "--output-on-failure --parallel 2 -R cl\n")) << passed.calls;
+  EXPECT_TRUE(has(passed.calls, "--output-on-failure --parallel 5 --label-exclude full -R cl\n"))
+      << passed.calls;
+  const Outcome full = run("test --full -R cl");
+  EXPECT_TRUE(has(full.calls, "--output-on-failure --parallel 5 -R cl\n")) << full.calls;
   stub(folder_ / "bin/ctest", "exit 8");
   EXPECT_EQ(run("test").exit_code, 8);
 }

@@ -3,23 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "tests/house/rules.hpp"
+#include "tests/support/files.hpp"
+
 namespace fs = std::filesystem;
+using pelage::house::root;
 
 namespace {
-
-const fs::path root = PELAGE_SOURCE_DIR;
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::set<std::string> words_of(const std::string& text) {
   static const std::regex word(R"([A-Za-z_]\w*)");
@@ -42,7 +37,7 @@ const Tree& tree() {
     for (const char* folder : {"harness", "kernels", "shaders", "tests", "bench"})
       for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
         if (!entry.is_regular_file() || entry.path().filename() == "documents_test.cpp") continue;
-        made.words.merge(words_of(read(entry.path())));
+        made.words.merge(words_of(pelage::test::text_of(entry.path())));
         if (std::string(folder) == "kernels") made.kernels.insert(entry.path().filename().string());
       }
     return made;
@@ -67,7 +62,7 @@ std::vector<std::string> gone(const std::string& text) {
     if (!tree().words.contains(m[1])) faults.push_back(fmt::format("{}: no such function", m.str()));
   });
   each(placed, [&](const std::smatch& m) {
-    if (!words_of(read(root / m[2].str())).contains(m[1]))
+    if (!words_of(pelage::test::text_of(root / m[2].str())).contains(m[1]))
       faults.push_back(fmt::format("{}: the file has no such name", m.str()));
   });
   each(path, [&](const std::smatch& m) {
@@ -90,7 +85,7 @@ TEST(Documents, NameWhatExists) {
     if (entry.path().extension() == ".md") documents.push_back(entry.path());
   EXPECT_GT(documents.size(), 8u);
   for (const fs::path& document : documents)
-    for (const std::string& fault : gone(read(document)))
+    for (const std::string& fault : gone(pelage::test::text_of(document)))
       ADD_FAILURE() << document.lexically_relative(root).generic_string() << ": " << fault;
 }
 

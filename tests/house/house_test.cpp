@@ -3,22 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
 
 #include "tests/house/rules.hpp"
+#include "tests/support/files.hpp"
 
 namespace fs = std::filesystem;
 using namespace pelage::house;
 
 namespace {
-
-const fs::path root = PELAGE_SOURCE_DIR;
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // Returns the source files and documents of the checkout, relative to its root. Pictures and files of
 // results/ are data and are left out.
@@ -47,7 +43,7 @@ std::string joined(const Faults& faults) {
 }
 
 const Links& links() {
-  static const Links known = room_links(read(root / "CMakeLists.txt"));
+  static const Links known = room_links(pelage::test::text_of(root / "CMakeLists.txt"));
   return known;
 }
 
@@ -60,7 +56,7 @@ std::size_t faults_of(const std::string& path, const std::string& include) {
 TEST(House, KeepsItsRulesOfInclusion) {
   Faults faults;
   for (const std::string& file : written_files()) {
-    const Faults found = include_faults(file, read(root / file), links());
+    const Faults found = include_faults(file, pelage::test::text_of(root / file), links());
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
@@ -71,7 +67,7 @@ TEST(House, KeepsItsRulesOfText) {
   const auto files = written_files();
   EXPECT_GT(files.size(), 50u);
   for (const std::string& file : files) {
-    const Faults found = text_faults(file, read(root / file));
+    const Faults found = text_faults(file, pelage::test::text_of(root / file));
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
@@ -80,7 +76,7 @@ TEST(House, KeepsItsRulesOfText) {
 TEST(House, KeepsOneCopyOfAComputationInTheKernels) {
   Faults faults;
   for (const std::string& file : written_files()) {
-    const Faults found = copy_faults(file, read(root / file));
+    const Faults found = copy_faults(file, pelage::test::text_of(root / file));
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
@@ -99,6 +95,23 @@ TEST(House, LinksAreReadFromCMake) {
   EXPECT_TRUE(links().at("scene").count("cl") == 0);
 }
 
+// Programs that only read results need neither OpenCL nor the mesh code. CMake links base to every room.
+TEST(House, TheFileFormatNeedsNoRenderer) {
+  const auto libraries = [](const std::string& room) {
+    const std::string text =
+        std::regex_replace(pelage::test::text_of(root / "CMakeLists.txt"), std::regex("#[^\n]*"), "");
+    std::smatch call;
+    std::regex_search(text, call, std::regex("pelage_room\\(" + room + "\\s+([^)]*)\\)"));
+    std::istringstream words(call[1]);
+    return std::set<std::string>(std::istream_iterator<std::string>(words), {});
+  };
+  EXPECT_EQ(libraries("base"), (std::set<std::string>{"fmt::fmt"}));
+  EXPECT_EQ(libraries("record"), (std::set<std::string>{"nlohmann_json::nlohmann_json", "PRIVATE",
+                                                        "ZLIB::ZLIB", "PkgConfig::RE2"}));
+  EXPECT_TRUE(links().at("record").empty());
+  EXPECT_EQ(links().at("experiment"), (std::set<std::string>{"record", "scene"}));
+}
+
 TEST(House, PlantedInclusionsAreFound) {
   const std::pair<const char*, const char*> forbidden[] = {
       {"harness/scene/scene_read.cpp", "<CL/cl.h>"},
@@ -114,6 +127,9 @@ TEST(House, PlantedInclusionsAreFound) {
       {"harness/springs/model/layout.cpp", "\"harness/springs/opencl/stages.hpp\""},
       {"harness/shells/reference/render.cpp", "\"harness/shells/opencl/shells.hpp\""},
       {"harness/measure/runner.cpp", "\"harness/subjects/pipelines.hpp\""},
+      {"harness/record/row.hpp", "\"harness/cl/program.hpp\""},
+      {"harness/record/contradiction.cpp", "\"harness/compare/tolerances.hpp\""},
+      {"harness/base/median.cpp", "\"harness/record/row.hpp\""},
       {"harness/cl/device.cpp", "\"harness/commands/devices.hpp\""},
       {"harness/cl/device.cpp", "\"../error.hpp\""},
       {"harness/shells/opencl/shells.cpp", "\"kernels/wet/equations.clh\""},

@@ -42,12 +42,14 @@ class Lint : public ::testing::Test {
   }
   // Installs a stub of clang-tidy. The stub records the name of the source file that it should check, and
   // then runs the shell code `body`. Also installs a stub of nproc that reports one processor, so .ci/lint
-  // checks the files one after another. The names are therefore recorded in the order of the checks.
+  // checks the files one after another. The names are therefore recorded in the order of the checks. A stub
+  // of cmake configures nothing.
   void clang_tidy(const std::string& body) const {
     write("bin/clang-tidy", fmt::format("#!/bin/sh\nfor file; do :; done\necho \"$file\" >>'{}'\n{}\n",
                                         notes().string(), body));
     write("bin/nproc", "#!/bin/sh\necho 1\n");
-    for (const char* tool : {"bin/clang-tidy", "bin/nproc"})
+    write("bin/cmake", "#!/bin/sh\n");
+    for (const char* tool : {"bin/clang-tidy", "bin/nproc", "bin/cmake"})
       fs::permissions(folder_ / tool, fs::perms::owner_all);
   }
   fs::path notes() const { return folder_ / "notes"; }

@@ -10,11 +10,12 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/house/rules.hpp"
+
 namespace fs = std::filesystem;
+using pelage::house::root;
 
 namespace {
-
-const fs::path root = PELAGE_SOURCE_DIR;
 
 /// Runs `scripts/mutants.py --check` on a data file. Returns its exit status.
 int checked(const fs::path& data) {

@@ -1,11 +1,14 @@
 // The rules of the repository: functions that find violations in the path and the text of a file.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace pelage::house {
+
+inline const std::filesystem::path root = PELAGE_SOURCE_DIR;  ///< folder of the checkout
 
 using Faults = std::vector<std::string>;  ///< one line per violation, "path:line: what"
 

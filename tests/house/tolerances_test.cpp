@@ -9,15 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/house/rules.hpp"
+
 namespace fs = std::filesystem;
+using pelage::house::root;
 
 namespace {
-
-const fs::path root = PELAGE_SOURCE_DIR;
-
-bool starts_with(const std::string& text, const std::string& prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
 
 /// Returns the lines of a source file that define a tolerance. `path` is relative to the repository.
 std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
@@ -32,10 +29,10 @@ std::vector<std::string> written_tolerances(const std::string& path, std::istrea
   static const std::regex expected(
       R"(EXPECT_L[TE]\(.*\b(rms|percentile_99|worst|p999)\b, *[0-9]|EXPECT_GE\(.*\bpsnr, *[0-9]|)"
       R"(EXPECT_L[TE]\((largest_difference|error)\b.*[0-9]e-[0-9] \* double\(fur_length\))");
-  const bool harness = starts_with(path, "harness/"), tests = starts_with(path, "tests/");
+  const bool harness = path.starts_with("harness/"), tests = path.starts_with("tests/");
   bool accepts = false;  // true: code in this folder decides whether results are accepted
   for (const char* folder : {"compare", "commands", "subjects", "tuning", "springs/studies"})
-    accepts = accepts || starts_with(path, fmt::format("harness/{}/", folder));
+    accepts = accepts || path.starts_with(fmt::format("harness/{}/", folder));
   std::vector<std::string> found;
   int number = 0;
   for (std::string line; std::getline(source, line);) {
@@ -63,7 +60,7 @@ TEST(Tolerances, StandInOnePlace) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string path = entry.path().lexically_relative(root).generic_string();
       const auto kind = entry.path().extension();
-      if ((kind != ".cpp" && kind != ".hpp") || starts_with(path, "tests/house/")) continue;
+      if ((kind != ".cpp" && kind != ".hpp") || path.starts_with("tests/house/")) continue;
       ++files;
       std::ifstream stream(entry.path());
       for (const std::string& line : written_tolerances(path, stream)) ADD_FAILURE() << line;

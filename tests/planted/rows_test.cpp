@@ -10,10 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST_F(Planted, RowCopiedWithinAJournal) {
   take("base");
   const std::string text = folder.read(fs::relative(journal(), folder.path()).string());
@@ -34,7 +30,8 @@ TEST_F(Planted, CopyOfAFolder) {
   const Results results = read_all_results({path("results").string(), path("copy").string()});
   EXPECT_EQ(results.rows.size(), 2U);
   ASSERT_EQ(results.left_out.size(), 2U);
-  EXPECT_TRUE(holds(results.left_out.front().reason, "copy of a row of ")) << results.left_out.front().reason;
+  EXPECT_TRUE(cli::has(results.left_out.front().reason, "copy of a row of "))
+      << results.left_out.front().reason;
   for (const Cell& cell : cells_of(results.rows)) EXPECT_EQ(cell.timings.processes.size(), 1U);
 }
 
@@ -75,14 +72,15 @@ TEST_F(Planted, TornLastLine) {
   const Results results = read_all_results({path("results").string()});
   EXPECT_EQ(results.rows.size(), 1U);
   ASSERT_EQ(results.left_out.size(), 1U);
-  EXPECT_TRUE(holds(results.left_out.front().reason, "is not complete")) << results.left_out.front().reason;
-  EXPECT_TRUE(holds(cli::pelage(folder, "export results").err, "is not complete"));
+  EXPECT_TRUE(cli::has(results.left_out.front().reason, "is not complete"))
+      << results.left_out.front().reason;
+  EXPECT_TRUE(cli::has(cli::pelage(folder, "export results").err, "is not complete"));
   const Outcome report = cli::pelage(folder, "report results -o page");
   EXPECT_EQ(report.code, 0) << report.err;
   for (const char* file :
        {"stdout", "page/tables/left-out.csv", "page/tables/left-out.tex", "page/index.html"}) {
-    EXPECT_TRUE(holds(folder.read(file), "is not complete")) << file;
-    EXPECT_TRUE(holds(folder.read(file), "cases without a row: 1 of 2")) << file;
+    EXPECT_TRUE(cli::has(folder.read(file), "is not complete")) << file;
+    EXPECT_TRUE(cli::has(folder.read(file), "cases without a row: 1 of 2")) << file;
   }
 }
 
@@ -222,7 +220,7 @@ TEST_F(Planted, ContradictingFields) {
     Row row = honest;
     planted.change(row);
     const std::string text = refusal_of([&] { row_from_line(to_line(row)); });
-    EXPECT_TRUE(holds(text, planted.text)) << planted.name << ": " << (text.empty() ? "accepted" : text);
+    EXPECT_TRUE(cli::has(text, planted.text)) << planted.name << ": " << (text.empty() ? "accepted" : text);
   }
 }
 

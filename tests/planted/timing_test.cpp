@@ -12,10 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// A subject draws and times the frames of one case. This class passes all calls to a real subject. Derived
 /// classes override one function to simulate a fault.
 class Faulty : public Subject {
@@ -90,8 +86,8 @@ TEST_F(Planted, PictureFileOfAnotherRun) {
   }
   const Outcome report = cli::pelage(folder, "report results -o page");
   EXPECT_EQ(report.code, 0) << report.err;
-  EXPECT_TRUE(holds(folder.read("page/tables/left-out.csv"),
-                    "picture: the file is not the picture that the row recorded"))
+  EXPECT_TRUE(cli::has(folder.read("page/tables/left-out.csv"),
+                       "picture: the file is not the picture that the row recorded"))
       << folder.read("page/tables/left-out.csv");
   EXPECT_TRUE(fs::is_empty(path("page/images")));
 }
@@ -137,7 +133,7 @@ TEST_F(Planted, TextureEditedDuringTheRun) {
   write_picture(path("new.png"), {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.1F, 0.4F, 0.3F, 1))});
   const Row row = time_faulty<Editor>(folder, path("own.png"), path("new.png"));
   EXPECT_EQ(row.status, Status::error);
-  EXPECT_TRUE(holds(row.reason, "but scene_hash of the row gives")) << row.reason;
+  EXPECT_TRUE(cli::has(row.reason, "but scene_hash of the row gives")) << row.reason;
   EXPECT_TRUE(row.samples.empty());
   EXPECT_EQ(refusal_of([&] { row_from_line(to_line(row)); }), "") << "the journal stays readable";
 }
@@ -162,7 +158,7 @@ TEST_F(Planted, FakeTimer) {
     ASSERT_EQ(row.status, Status::ok) << row.reason;
     for (const auto& [phase, times] : row.samples)
       EXPECT_TRUE(times.event_ms.empty()) << phase << " " << factor;
-    EXPECT_TRUE(holds(row.provenance.value("event_times", ""), "left out: ")) << factor;
+    EXPECT_TRUE(cli::has(row.provenance.value("event_times", ""), "left out: ")) << factor;
     EXPECT_EQ(row.samples.at("frame").wall_ms.size(), 6U);
     EXPECT_EQ(refusal_of([&] { row_from_line(to_line(row)); }), "");
   }
@@ -216,7 +212,7 @@ TEST_F(Planted, LoadedMachine) {
     const test::BusyMachine busy;
     const Outcome outcome = cli::pelage(folder, "run own.toml --filter -4- -o results");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_TRUE(holds(outcome.err, "other processes took ")) << outcome.err;
+    EXPECT_TRUE(cli::has(outcome.err, "other processes took ")) << outcome.err;
   }
   const std::vector<Cell> cells = cells_in({path("results")});
   ASSERT_EQ(cells.size(), 1U);
@@ -225,8 +221,8 @@ TEST_F(Planted, LoadedMachine) {
   const Outcome report = cli::pelage(folder, "report results -o page");
   EXPECT_EQ(report.code, 0) << report.err;
   for (const char* file : {"stdout", "page/tables/own.tex", "page/index.html"})
-    EXPECT_TRUE(holds(folder.read(file), "! other processes used more than 10")) << file;
-  EXPECT_TRUE(holds(cli::pelage(folder, "export results").out, ",contended,"));
+    EXPECT_TRUE(cli::has(folder.read(file), "! other processes used more than 10")) << file;
+  EXPECT_TRUE(cli::has(cli::pelage(folder, "export results").out, ",contended,"));
 }
 
 }  // namespace

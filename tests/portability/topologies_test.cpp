@@ -53,10 +53,10 @@ TEST_P(Topologies, MoveAsTheReferenceDoes) {
   for (const Solver solver : solvers) {
     const SpringNetwork topology = build(kind, sphere(1), fur_length);
     const Dynamics dynamics = lively(solver);
-    reference::State state = reference::rest(topology);
-    const auto rest = reference::offsets(topology, state);
-    for (int i = 0; i < steps; ++i) state = reference::step({topology, dynamics}, state, i);
-    const auto offsets = reference::offsets(topology, state);
+    springs::reference::State state = springs::reference::rest(topology);
+    const auto rest = springs::reference::offsets(topology, state);
+    for (int i = 0; i < steps; ++i) state = springs::reference::step({topology, dynamics}, state, i);
+    const auto offsets = springs::reference::offsets(topology, state);
     EXPECT_GT(largest_difference(rest, offsets), 0.01) << "something moved";
     const double error = largest_difference(elsewhere.read<glm::vec3>(file_of(kind, solver)), offsets);
     EXPECT_LT(error, tolerance::stick_top * double(fur_length)) << file_of(kind, solver);

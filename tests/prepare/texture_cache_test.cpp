@@ -39,7 +39,7 @@ class TextureCache : public ::testing::Test {
   CoatScene coat_;
 };
 
-std::uint64_t hash(const FurTexture& texture) {
+std::uint64_t sum_of(const FurTexture& texture) {
   Hash sum;
   for (const auto& level : texture.level) sum.values(level);
   return sum.value();
@@ -110,7 +110,7 @@ TEST_F(TextureCache, WhatWasNotUsedForLongestGoesFirst) {
 // cache.
 TEST_F(TextureCache, TheRecipeHasTheseBytes) {
   EXPECT_EQ(texture_recipe, 1);
-  EXPECT_EQ(hash(make_fur_texture(fur_)), 16436695362474114906u);
+  EXPECT_EQ(sum_of(make_fur_texture(fur_)), 16436695362474114906u);
   EXPECT_EQ(Hash().values(make_coat(*mesh_, coat_).texel).value(), 13665619114042081950u);
   EXPECT_EQ(Hash().values(surface_map(*mesh_, 32)).value(), 6792194699267670169u);
 }

@@ -30,13 +30,6 @@ std::string note(const std::string& model) {
   return model == "hippo" ? "stand-in: a pig & 100% so" : "";
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 /// A Python script reads the two CSV files with the module csv. All lines of a file must have the same number
 /// of columns, and the numbers must be those of `rows`.
 TEST(Csv, PythonReadsIt) {
@@ -84,7 +77,7 @@ TEST(Report, WritesEverythingItPromises) {
                            "images/silva2010-table1-torus.png", "plots/silva2010-table1-frame-time.csv",
                            "plots/silva2010-table1-frame-time.py", "plots/silva2010-table1-frame-time.json"})
     EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
-  EXPECT_EQ(lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
+  EXPECT_EQ(test::lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
   EXPECT_NE(text_of(out / "references.bib").find("10.1007/s00371-010-0484-4"), std::string::npos);
   EXPECT_NE(text_of(out / "provenance.txt").find("preset: quick"), std::string::npos);
   EXPECT_EQ(report.rows.size(), rows.size());

@@ -42,7 +42,7 @@ std::vector<Cell> cells() {
   return result;
 }
 
-std::string text_of(const fs::path& file) {
+std::string contents_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -130,7 +130,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   const fs::path folder = mkdtemp(name.data());
   std::ofstream(folder / "t.csv") << scaling_csv(cells());
   ASSERT_EQ(draw_plot(plot_program("scaling"), folder / "t.csv", folder / "t"), "");
-  const std::string fit = text_of(folder / "t.txt");
+  const std::string fit = contents_of(folder / "t.txt");
   const auto cost = [&](const std::string& term) {
     const auto at = fit.find("per " + term + " ");
     return at == std::string::npos ? -1 : std::strtod(fit.c_str() + at + 25, nullptr);
@@ -150,7 +150,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
     }
     EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
   }
-  EXPECT_NE(text_of(folder / "t.svg").find("128"), std::string::npos);
+  EXPECT_NE(contents_of(folder / "t.svg").find("128"), std::string::npos);
   // With too few cases the plot program must report an error and must not compute a fit.
   std::vector<Cell> few = cells();
   few.resize(6);

@@ -26,13 +26,6 @@ std::vector<Section> sections(const std::vector<FoundRow>& rows, std::vector<std
   return sections_of(cells_of(rows), {note, false, false, notes ? notes : &own});
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 const Value& value(const Table& table, std::size_t line, const char* column) {
   return table.lines.at(line).at(std::size_t(column_of(table, column)));
 }
@@ -106,7 +99,7 @@ TEST(PaperSection, EveryTimeOfTheCsvLiesWithinItsInterval) {
 }
 
 TEST(PaperSection, LatexHasOneColumnPerNumber) {
-  for (const std::string& line : lines_of(latex_of(sections(test::table1_rows()).at(0).table))) {
+  for (const std::string& line : test::lines_of(latex_of(sections(test::table1_rows()).at(0).table))) {
     if (!line.starts_with("torus")) continue;
     // Each row has 8 columns: 2 for the model, and 3 for each of 2 sizes.
     EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 7) << line;

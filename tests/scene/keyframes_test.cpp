@@ -12,12 +12,12 @@
 namespace pelage {
 namespace {
 
-struct Bad {
+struct BadKeyframes {
   const char* text;      ///< a scene file
   const char* expected;  ///< text that the error message must contain
 };
 
-const Bad files[] = {
+const BadKeyframes bad_keyframes[] = {
     {"[keyframes]\n\"strands.fractoin\" = [[0, 1]]",
      "s.toml:2: keyframes.\"strands.fractoin\": no such key; did you mean strands.fraction?"},
     {"[keyframes]\n\"model\" = [[0, \"torus\"]]", "s.toml:2: keyframes.\"model\": this key cannot change"},
@@ -52,7 +52,7 @@ const Bad files[] = {
 };
 
 TEST(Keyframes, BadLinesAreErrorsWithFileLineAndKey) {
-  for (const Bad& bad : files) {
+  for (const BadKeyframes& bad : bad_keyframes) {
     try {
       parse_scene(bad.text, "s.toml");
       ADD_FAILURE() << "no error: " << bad.text;

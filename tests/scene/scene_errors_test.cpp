@@ -8,12 +8,12 @@
 namespace pelage {
 namespace {
 
-struct Bad {
+struct BadScene {
   const char* text;      ///< a scene file
   const char* expected;  ///< text that the error message must contain
 };
 
-const Bad files[] = {
+const BadScene bad_scenes[] = {
     {"fur.lenght = 0.1", "s.toml:1: fur.lenght: no such key; did you mean fur.length?"},
     {"\n\nlength = 0.1", "s.toml:3: length: no such key; did you mean fur.length?"},
     {"[furr]\nlength = 0.1", "s.toml:1: furr"},
@@ -137,7 +137,7 @@ const Bad files[] = {
 };
 
 TEST(SceneErrors, EveryBadFileGetsOneLineThatSaysWhatIsRight) {
-  for (const Bad& bad : files) {
+  for (const BadScene& bad : bad_scenes) {
     try {
       parse_scene(bad.text, "s.toml");
       ADD_FAILURE() << "accepted: " << bad.text;
@@ -150,7 +150,7 @@ TEST(SceneErrors, EveryBadFileGetsOneLineThatSaysWhatIsRight) {
   }
 }
 
-const Bad overrides[] = {
+const BadScene overrides[] = {
     {"fur.length", "give key=value"},
     {"=3", "give key=value"},
     {"", "give key=value"},
@@ -168,7 +168,7 @@ const Bad overrides[] = {
 };
 
 TEST(SceneErrors, EveryBadOverrideIsRefused) {
-  for (const Bad& bad : overrides) {
+  for (const BadScene& bad : overrides) {
     Scene scene;
     try {
       apply_set(scene, bad.text);

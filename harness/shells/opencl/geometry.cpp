@@ -81,7 +81,7 @@ void lay_out_strands(const FrameInput& input, Geometry& g) {
   const StrandSet& strands = input.strands;
   const std::size_t count = strands.root.size();
   g.strands = padded(count);
-  g.strand_constants.assign(std::size_t(STRAND_COLUMNS) * std::size_t(g.strands), 0.0f);
+  g.strand_constants.assign(std::size_t(VIRTUAL_STRAND_COLUMNS) * std::size_t(g.strands), 0.0f);
   for (std::size_t f = 0; f < count; ++f) {
     const int row = static_cast<int>(f);
     set_column3(g.strand_constants, NORMAL_X, g.strands, row, strands.normal[f]);

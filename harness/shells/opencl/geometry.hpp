@@ -37,8 +37,8 @@ struct Geometry {
   std::vector<std::int32_t> slice;
   std::vector<std::int32_t> strand;
   std::vector<float> weight;
-  /// STRAND_COLUMNS columns of `strands` floats. With fur.length_map, one more column holds the lengths in R.
-  /// With colliders, three more columns hold the roots.
+  /// VIRTUAL_STRAND_COLUMNS columns of `strands` floats. With fur.length_map, one more column holds the
+  /// lengths in R. With colliders, three more columns hold the roots.
   std::vector<float> strand_constants;
 };
 

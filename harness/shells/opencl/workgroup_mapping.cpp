@@ -17,8 +17,8 @@ namespace {
 
 // Pixels per side of a tile. A tile has 64 pixels, because the kernels store for each triangle a 64-bit mask
 // of the pixels that the triangle covers.
-constexpr int tile_side = 8;
-constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
+constexpr int workgroup_side = 8;
+constexpr std::size_t work_items = std::size_t(workgroup_side) * workgroup_side;
 
 class WorkgroupMapping : public Mapping {
  public:
@@ -97,7 +97,7 @@ const MappingKind workgroup_mapping{
     .lanes = [](const cl::DeviceInfo&) { return 1; },
     .tuning =
         [](Tuning tuning) {
-          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // the kernels support only 8 x 8 pixels
+          tuning["TILE_W"] = tuning["TILE_H"] = workgroup_side;  // the kernels support only 8 x 8 pixels
           return tuning;
         },
     .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {

@@ -17,14 +17,14 @@ namespace {
 constexpr int frames_per_second = 60, most_steps = 1024;  // most_steps: greatest number of steps per frame
 
 /// One second with one solver. The limit of its error and the exact solution are those of all solvers.
-struct Limit {
+struct ErrorLimit {
   std::shared_ptr<const Motions> exact;
   double rms;
 };
 
 class SecondOfSolver : public Study {
  public:
-  SecondOfSolver(const cl::Device& device, Setting setting, const Solver& solver, int steps, Limit limit)
+  SecondOfSolver(const cl::Device& device, Setting setting, const Solver& solver, int steps, ErrorLimit limit)
       : Study(device, with(std::move(setting), solver, steps)),
         name_(solver.name),
         steps_(steps),
@@ -81,7 +81,7 @@ class SecondOfSolver : public Study {
 
   std::string name_;
   int steps_;  // per frame
-  Limit limit_;
+  ErrorLimit limit_;
   MassSprings masses_;
 };
 
@@ -95,7 +95,7 @@ struct Entrants {
 /// Finds the smallest number of steps per frame with which the solver's error is within the limit, and adds
 /// the solver.
 void enter(Entrants& entrants, const cl::Device& device, const Setting& setting, const Solver& solver,
-           const Limit& limit) {
+           const ErrorLimit& limit) {
   const auto with = [&](int steps) {
     return std::make_unique<SecondOfSolver>(device, setting, solver, steps, limit);
   };
@@ -139,7 +139,7 @@ std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting,
     throw InputError(
         "dynamics.tolerance = 0: the pipeline springs-turns needs the largest permitted rms error, as a "
         "fraction of fur.length; give a tolerance above 0");
-  const Limit limit{std::make_shared<Motions>(exact), most_error};
+  const ErrorLimit limit{std::make_shared<Motions>(exact), most_error};
   Entrants entrants;
   enter(entrants, device, setting, default_solver, limit);  // the other times are divided by its time
   for (const Solver& solver : solvers)

@@ -10,6 +10,7 @@
 
 #include "harness/error.hpp"
 #include "harness/strands/drawing/detail.hpp"
+#include "harness/strands/opencl/copy.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -28,13 +29,6 @@ int chunks_of(const cl::Device& device, int wanted) {
 int whole_exponent(float exponent) {
   const bool whole = exponent >= 1 && exponent <= 1024 && std::floor(exponent) == exponent;
   return whole ? int(exponent) : 0;
-}
-
-void copy(float* to, glm::vec3 v) {
-  for (int i = 0; i < 3; ++i) to[i] = v[i];
-}
-void copy(float* to, glm::vec4 v) {
-  for (int i = 0; i < 4; ++i) to[i] = v[i];
 }
 
 DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {

@@ -7,12 +7,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "harness/strands/opencl/copy.hpp"
+
 namespace pelage::strands {
 namespace {
-
-void copy(float* to, glm::vec4 v) {
-  for (int i = 0; i < 4; ++i) to[i] = v[i];
-}
 
 /// The parameters of the map. `params` are those of the picture.
 DrawParams map_params(DrawParams params, const LightView& view, int lanes, int tile) {

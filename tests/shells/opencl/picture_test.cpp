@@ -13,32 +13,32 @@ namespace {
 
 using namespace pictures;
 
-void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
+void expect_agreement(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
   EXPECT_GT(agreement.pixels, least_pixels);  // the pictures must contain enough fur pixels
   ::testing::Test::RecordProperty("agreement", describe(agreement));
 }
 
-struct Case {
+struct ModelCase {
   const char* model;
   int layers;
   const char* shading;
 };
 
-struct Models : testing::TestWithParam<Case> {};
+struct Models : testing::TestWithParam<ModelCase> {};
 
 TEST_P(Models, LookLikeTheReference) {
   const auto input = model_frame(GetParam().model, GetParam().layers, GetParam().shading);
-  expect_same(drawn_by_reference(*input), drawn_by_device(input, "tile"), 15000);
+  expect_agreement(drawn_by_reference(*input), drawn_by_device(input, "tile"), 15000);
 }
 
 INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Models,
-                         testing::Values(Case{"torus", 16, "curling"}, Case{"torus", 64, "curling"},
-                                         Case{"torus", 16, "wet"}, Case{"torus", 64, "wet"},
-                                         Case{"bunny", 16, "curling"}, Case{"bunny", 64, "curling"},
-                                         Case{"bunny", 16, "wet"}, Case{"bunny", 64, "wet"},
-                                         Case{"torus", 16, "lambert"}),
+                         testing::Values(ModelCase{"torus", 16, "curling"}, ModelCase{"torus", 64, "curling"},
+                                         ModelCase{"torus", 16, "wet"}, ModelCase{"torus", 64, "wet"},
+                                         ModelCase{"bunny", 16, "curling"}, ModelCase{"bunny", 64, "curling"},
+                                         ModelCase{"bunny", 16, "wet"}, ModelCase{"bunny", 64, "wet"},
+                                         ModelCase{"torus", 16, "lambert"}),
                          [](const auto& given) {
                            return std::string(given.param.model) + "_" + std::to_string(given.param.layers) +
                                   "_" + given.param.shading;
@@ -62,7 +62,7 @@ TEST_P(Mappings, BothModelsAndBothBindings) {
     for (const char* binding : {"shared", "separate"}) {
       SCOPED_TRACE(std::string(shading) + ", " + binding);
       const auto input = small_frame(shading, binding);
-      expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 5000);
+      expect_agreement(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 5000);
     }
 }
 
@@ -78,13 +78,13 @@ TEST_P(Mappings, OtherReadings) {
   input.scene.shading.tangent = "drawn";
   input.scene.shading.wrap = 0;
   const auto wet = std::make_shared<FrameInput>(input);
-  expect_same(drawn_by_reference(*wet), drawn_by_device(wet, GetParam()), 5000);
+  expect_agreement(drawn_by_reference(*wet), drawn_by_device(wet, GetParam()), 5000);
   input.scene.shading.model = "curling";
   input.scene.shading.lights.resize(1);
   input.scene.clump.scale = "relative";
   input.scene.clump.cells = "separate";
   const auto curling = std::make_shared<FrameInput>(input);
-  expect_same(drawn_by_reference(*curling), drawn_by_device(curling, GetParam()), 5000);
+  expect_agreement(drawn_by_reference(*curling), drawn_by_device(curling, GetParam()), 5000);
 }
 
 TEST_P(Mappings, ReadingsOfClumpsAndTheirTangents) {
@@ -98,11 +98,11 @@ TEST_P(Mappings, ReadingsOfClumpsAndTheirTangents) {
     input.scene.clump.scale = scale;
     input.scene.shading.tangent = tangent;
     const auto given = std::make_shared<FrameInput>(input);
-    expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+    expect_agreement(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
   }
   input.scene.fur.substeps = 4;
   const auto many = std::make_shared<FrameInput>(input);
-  expect_same(drawn_by_reference(*many), drawn_by_device(many, GetParam()), 5000);
+  expect_agreement(drawn_by_reference(*many), drawn_by_device(many, GetParam()), 5000);
 }
 
 TEST_P(Mappings, SoakedFur) {
@@ -116,7 +116,7 @@ TEST_P(Mappings, SoakedFur) {
       input.scene.clump.scale = scale;
       input.scene.fur.substeps = substeps;
       const auto given = std::make_shared<FrameInput>(input);
-      expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+      expect_agreement(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
     }
 }
 
@@ -128,7 +128,7 @@ TEST_P(Mappings, ConsistentBordersOfClumps) {
     SCOPED_TRACE(scale);
     input.scene.clump.scale = scale;
     const auto given = std::make_shared<FrameInput>(input);
-    expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+    expect_agreement(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
   }
 }
 
@@ -139,11 +139,11 @@ TEST_P(Mappings, OrdersOfFaces) {
       FrameInput input = *small_frame("wet", binding);
       input.scene.blend.faces = faces;
       const auto given = std::make_shared<FrameInput>(input);
-      expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+      expect_agreement(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
     }
   // The camera is so near that triangles of the base are clipped.
   const auto input = with_the_eye_inside("back-then-front");
-  expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
+  expect_agreement(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
 }
 
 TEST_P(Mappings, FurThatRunsBehindTheEye) {
@@ -158,7 +158,7 @@ TEST_P(Mappings, FurThatRunsBehindTheEye) {
     const auto input =
         std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::square(6), cells, cells, 30));
     SCOPED_TRACE(cells);
-    expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
+    expect_agreement(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
   }
 }
 
@@ -166,7 +166,7 @@ TEST_P(Mappings, TheEyeInsideTheFur) {
   // Near the eye, some triangles of a layer cross the near plane and are clipped. Unclipped triangles are
   // drawn before and after the clipped triangles.
   const auto input = with_the_eye_inside("all");
-  expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
+  expect_agreement(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
 }
 
 TEST_P(Mappings, AnyPictureSize) {

@@ -37,14 +37,14 @@ void PrintTo(const Mapping& mapping, std::ostream* out) {
   *out << mapping.name;
 }
 
-const Mapping mappings[] = {
+const Mapping tested_mappings[] = {
     {"tile", {"tile", {}}, 20, 50000, 3, 1, 1500, 1e7},
     {"tile8x8", {"tile", {{"TILE_W", 8}, {"TILE_H", 8}}}, 2, 50000, 1, 1, 300, 3e6},
     {"group", {"group", {}}, 1, 5000, 1, 16, 24, 1e5},
     {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // this mapping is slow for tiles with many triangles
 
 struct Coverage : testing::TestWithParam<Mapping> {};
-INSTANTIATE_TEST_SUITE_P(Device, Coverage, testing::ValuesIn(mappings),
+INSTANTIATE_TEST_SUITE_P(Device, Coverage, testing::ValuesIn(tested_mappings),
                          [](const auto& given) { return std::string(given.param.name); });
 
 /// Returns a random triangle of a random kind: small, thin, aligned with pixel centres, and so on. The

@@ -36,7 +36,7 @@ FrameInput rainy(const char* cells = "consistent") {
   return input;
 }
 
-Shells shells(const FrameInput& input) {
+Shells shells_of(const FrameInput& input) {
   return Shells(device(), std::make_shared<FrameInput>(input));
 }
 
@@ -59,7 +59,7 @@ std::size_t wet_texels(const std::vector<glm::vec4>& mask) {
 TEST(WetFrames, HaveTheMaskOfTheirTime) {
   for (const char* cells : {"consistent", "separate"}) {
     const FrameInput input = rainy(cells);
-    Shells drawn = shells(input);
+    Shells drawn = shells_of(input);
     std::vector<std::size_t> wet;
     for (int frame = 1; frame <= 60; ++frame) {
       drawn.frame();
@@ -88,7 +88,7 @@ TEST(WetFrames, HaveTheMaskOfTheirTimeUnderManyDroplets) {
         droplet.wetness *= 0.1f;
         input.droplets.push_back(droplet);
       }
-    Shells drawn = shells(input);
+    Shells drawn = shells_of(input);
     drawn.advance(11);
     const cl::FrameTiming timing = drawn.frame();
     if (!timing.kernels.empty()) {
@@ -104,7 +104,7 @@ TEST(WetFrames, HaveTheMaskOfTheirTimeUnderManyDroplets) {
 
 TEST(WetFrames, DoNotDependOnTheFramesBefore) {
   FrameInput input = rainy();
-  Shells all = shells(input), last = shells(input);
+  Shells all = shells_of(input), last = shells_of(input);
   for (int frame = 0; frame < 14; ++frame) all.frame();
   last.advance(13);
   last.frame();
@@ -113,12 +113,12 @@ TEST(WetFrames, DoNotDependOnTheFramesBefore) {
   EXPECT_TRUE(same(all.read().pixel, last.read().pixel));
   // The constructor computes the mask of the picture at dynamics.time.
   input.scene.dynamics.time = float(picture_time(input.scene.dynamics, 14));
-  EXPECT_TRUE(same(shells(input).mask(), all.mask()));
+  EXPECT_TRUE(same(shells_of(input).mask(), all.mask()));
 }
 
 TEST(WetFrames, AgreeWithTheReference) {
   const FrameInput input = rainy();
-  Shells drawn = shells(input);
+  Shells drawn = shells_of(input);
   drawn.advance(frames - 1);
   drawn.frame();
   const Picture picture = drawn.read(), expected = drawn_by_reference(input);
@@ -135,7 +135,7 @@ TEST(WetFrames, EndAsTheyBegan) {
   const FrameInput input = rainy();
   FrameInput dry = input;
   dry.droplets.clear();
-  Shells rain = shells(input), none = shells(dry);
+  Shells rain = shells_of(input), none = shells_of(dry);
   for (const int frames : {1, 60}) {
     rain.advance(frames - rain.frames_simulated() - 1);
     none.advance(frames - none.frames_simulated() - 1);
@@ -148,7 +148,7 @@ TEST(WetFrames, EndAsTheyBegan) {
 TEST(WetFrames, HaveThePhaseWetOnlyIfTheWaterChanges) {
   FrameInput input = rainy();
   input.scene.fur.substeps = 2;
-  const cl::FrameTiming timing = shells(input).frame();
+  const cl::FrameTiming timing = shells_of(input).frame();
   if (timing.phase_event_ms.empty()) GTEST_SKIP() << "this device has no event times";
   EXPECT_TRUE(timing.phase_event_ms.contains("wet"));
   std::vector<std::string> kernels;
@@ -158,13 +158,13 @@ TEST(WetFrames, HaveThePhaseWetOnlyIfTheWaterChanges) {
                                                "texel_clumps", "texel_reach", "triangle_reach_by_texel"}));
   input.scene.wetness.soak = input.scene.wetness.drying = input.scene.wetness.drip = 0;
   for (Droplet& droplet : input.droplets) droplet.arrival = 0;
-  EXPECT_FALSE(shells(input).frame().phase_event_ms.contains("wet"));
+  EXPECT_FALSE(shells_of(input).frame().phase_event_ms.contains("wet"));
 }
 
 // Triangles that are dry in one frame may be wet in another. With REACH = 0 no triangle is treated as dry.
 TEST(WetFrames, HaveTheLayersOfTheirTriangles) {
   const FrameInput input = rainy("separate");
-  Shells drawn = shells(input);
+  Shells drawn = shells_of(input);
   drawn.frame();
   drawn.advance(frames - 2);
   drawn.frame();

@@ -27,7 +27,7 @@ FrameInput one_strand() {
   return synthetic::frame(scene, synthetic::square(1), 1, 1, 0);
 }
 
-double distance(const glm::dvec3& a, const glm::dvec3& b) {
+double apart(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::length(a - b);
 }
 
@@ -62,7 +62,7 @@ TEST(ReferenceStrands, RestStaysAtRest) {
     const Strand strand = reference::simulate(input, 0, 200);
     // The anchor is rounded to float. It may therefore be outside the ball of Eq. 3 of paper S by a rounding
     // error.
-    EXPECT_LT(distance(strand.tip, input.strands.anchor[0]), 2e-8);
+    EXPECT_LT(apart(strand.tip, input.strands.anchor[0]), 2e-8);
     EXPECT_LT(glm::length(strand.velocity), 1e-6);
   }
 }
@@ -76,7 +76,7 @@ TEST(ReferenceStrands, LoadInsideTheBallMovesTheRestPositionByForceOverStiffness
                                   double(input.scene.dynamics.stiffness);
   ASSERT_LT(glm::length(expected), .1);
   ASSERT_GT(expected.z, 0);
-  EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, expected), 1e-9);
+  EXPECT_LT(apart(reference::simulate(input, 0, 1000).tip, expected), 1e-9);
 }
 
 TEST(ReferenceStrands, LoadOutsideTheBallTurnsTheStrandTowardsTheResultant) {
@@ -88,9 +88,8 @@ TEST(ReferenceStrands, LoadOutsideTheBallTurnsTheStrandTowardsTheResultant) {
     const double length = double(input.scene.fur.length), k = double(input.scene.dynamics.stiffness);
     const glm::dvec3 force = double(input.scene.dynamics.mass) * glm::dvec3(gravity);
     ASSERT_GT(glm::length(length * n + force / k), length);
-    EXPECT_LT(
-        distance(reference::simulate(input, 0, 1000).tip, length * glm::normalize(k * length * n + force)),
-        1e-8);
+    EXPECT_LT(apart(reference::simulate(input, 0, 1000).tip, length * glm::normalize(k * length * n + force)),
+              1e-8);
   }
 }
 
@@ -102,7 +101,7 @@ TEST(ReferenceStrands, LoadIntoTheSkinRestsOnIt) {
                                                                     glm::dvec3(input.scene.dynamics.gravity) /
                                                                     double(input.scene.dynamics.stiffness);
   ASSERT_LT(free.z, 0);
-  EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, {free.x, free.y, 0}), 1e-9);
+  EXPECT_LT(apart(reference::simulate(input, 0, 1000).tip, {free.x, free.y, 0}), 1e-9);
 }
 
 TEST(ReferenceStrands, SteadyWindIsAForceAndItsGustAWaveAlongTheWind) {
@@ -110,7 +109,7 @@ TEST(ReferenceStrands, SteadyWindIsAForceAndItsGustAWaveAlongTheWind) {
   DynamicsScene& dynamics = input.scene.dynamics;
   dynamics.wind = {{0, 0, -2}, .008f, 0, 1, 2};  // the length of the direction vector has no effect
   dynamics.drag = .02f;
-  EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, {0, 0, .1 - .008 / .4}), 1e-8);
+  EXPECT_LT(apart(reference::simulate(input, 0, 1000).tip, {0, 0, .1 - .008 / .4}), 1e-8);
   // The force of the wind is strength * (1 + gust * sin(2 pi frequency t - phase)) with the phase .7. At the
   // time 0, the sine is -sin(phase). After a substep of 1/240 s from rest, the velocity is the force divided
   // by the mass and by 240.
@@ -154,7 +153,7 @@ TEST(ReferenceStrands, RadialReleaseStopsDeadOnTheBall) {
   const FrameInput input = one_strand();
   Strand strand{{0, 0, .05}, glm::dvec3(0)};
   for (std::size_t i = 0; i < 200; ++i) strand = reference::substep(input, 0, strand, i);
-  EXPECT_LT(distance(strand.tip, {0, 0, double(.1f)}), 1e-9);
+  EXPECT_LT(apart(strand.tip, {0, 0, double(.1f)}), 1e-9);
   EXPECT_LT(glm::length(strand.velocity), 1e-9);
 }
 
@@ -191,15 +190,15 @@ TEST(ReferenceStrands, TheProjectionTakesOnlyWhatLeaves) {
   EXPECT_EQ(reference::constrain(inside, n, .1).tip, inside.tip);
   EXPECT_EQ(reference::constrain(inside, n, .1).velocity, inside.velocity);
   const Strand below = reference::constrain({{.03, 0, -.02}, {1, 2, -3}}, n, .1);
-  EXPECT_LT(distance(below.tip, {.03, 0, 0}) + distance(below.velocity, {1, 2, 0}), 1e-15);
+  EXPECT_LT(apart(below.tip, {.03, 0, 0}) + apart(below.velocity, {1, 2, 0}), 1e-15);
   const Strand rising = reference::constrain({{.03, 0, -.02}, {1, 2, 3}}, n, .1);
-  EXPECT_LT(distance(rising.velocity, {1, 2, 3}), 1e-15);
+  EXPECT_LT(apart(rising.velocity, {1, 2, 3}), 1e-15);
   const Strand outside = reference::constrain({{0, .06, .08 * 1.0 + .04}, {0, 0, 0}}, n, .1);
   EXPECT_NEAR(glm::length(outside.tip), .1, 1e-15);
   const Strand leaving = reference::constrain({{.2, 0, 0}, {3, 4, 0}}, n, .1);
-  EXPECT_LT(distance(leaving.tip, {.1, 0, 0}) + distance(leaving.velocity, {0, 4, 0}), 1e-15);
+  EXPECT_LT(apart(leaving.tip, {.1, 0, 0}) + apart(leaving.velocity, {0, 4, 0}), 1e-15);
   const Strand both = reference::constrain({{.3, 0, -.4}, {1, 1, -1}}, n, .1);
-  EXPECT_LT(distance(both.tip, {.1, 0, 0}) + distance(both.velocity, {0, 1, 0}), 1e-15);
+  EXPECT_LT(apart(both.tip, {.1, 0, 0}) + apart(both.velocity, {0, 1, 0}), 1e-15);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "tests/springs/opencl/shim.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/differences.hpp"
+#include "tests/springs/support/kind_name.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
@@ -87,12 +88,7 @@ TEST_P(KernelStep, WithTheFullJacobianSolvesTheSystemOfFiniteDifferences) {
   }
 }
 
-std::string kind_name(const testing::TestParamInfo<Kind>& given) {
-  std::string text(name(given.param));
-  std::replace(text.begin(), text.end(), '-', '_');
-  return text;
-}
-INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds.begin(), kinds.end()), kind_name);
+INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds.begin(), kinds.end()), test::kind_name);
 
 }  // namespace
 }  // namespace pelage::springs

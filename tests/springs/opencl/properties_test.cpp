@@ -9,6 +9,7 @@
 #include "harness/springs/reference/reference.hpp"
 #include "tests/springs/opencl/shim.hpp"
 #include "tests/springs/support/device.hpp"
+#include "tests/springs/support/kind_name.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
@@ -20,12 +21,6 @@ using namespace test;
 constexpr double length = fur_length;
 
 struct PropertiesOf : testing::TestWithParam<Kind> {};
-std::string kind_name(const testing::TestParamInfo<Kind>& given) {
-  std::string text(name(given.param));
-  std::replace(text.begin(), text.end(), '-', '_');
-  return text;
-}
-
 // Simulates 0.0625 s with each solver, once with a coarse time step and once with half this time step. The
 // error is the difference from RK4 with 2048 steps. Halving the time step must divide the error by 2^order,
 // where `order` is the order of the solver.
@@ -195,7 +190,7 @@ TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), kind_name);
+INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), test::kind_name);
 
 TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);

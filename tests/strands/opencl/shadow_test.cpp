@@ -27,18 +27,18 @@ DrawingScene scene_of(Shadow reading, float fraction = 1) {
   return scene;
 }
 
-struct Result {
+struct Shadowed {
   std::vector<DrawnStrand> curves;
   std::vector<Entry> order;
   std::vector<glm::vec4> map;
   Picture picture;
 };
 
-Result draw_on_device(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
+Shadowed draw_with_map(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
   Drawer drawer(test::queue(), scene, ball.strands, ball.keys.size(), options);
   const std::vector<float> records = key_records(ball.keys);
   drawer.keys().write(test::queue(), records);
-  Result result;
+  Shadowed result;
   result.curves = reference::pruned(drawer.curves(test::queue()), scene.look);
   drawer.enqueue(test::queue(), nullptr);
   result.order = drawer.order(test::queue());
@@ -54,7 +54,7 @@ constexpr double rounding = 1e-4;
 /// Compares the map with the reference's. A fragment at the edge of a strip may have a coverage of almost 0
 /// on one side and none on the other. This changes the least depth of its texel, but hardly the
 /// transmittance.
-void expect_map(const DrawingScene& scene, const Result& device) {
+void expect_map(const DrawingScene& scene, const Shadowed& device) {
   const reference::OpacityMap expected =
       reference::opacity_map(scene.look, light_view(scene.look), device.curves);
   ASSERT_EQ(device.map.size(), expected.size());
@@ -73,8 +73,9 @@ void expect_map(const DrawingScene& scene, const Result& device) {
   EXPECT_LE(other_depth, covered / 1000) << other_depth << " of " << covered;
 }
 
-void expect_reference(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
-  const Result device = draw_on_device(scene, ball, options);
+void expect_reference_and_map(const DrawingScene& scene, const Ball& ball,
+                              const DrawerOptions& options = {}) {
+  const Shadowed device = draw_with_map(scene, ball, options);
   expect_map(scene, device);
   const Picture expected = reference::draw(scene.camera, scene.look, device.curves, device.order);
   const Agreement found = compare(device.picture, expected);
@@ -84,13 +85,13 @@ void expect_reference(const DrawingScene& scene, const Ball& ball, const DrawerO
 
 TEST(StrandShadow, MapAndPictureAreThoseOfTheReference) {
   for (const Shadow reading : {Shadow::linear, Shadow::exponential})
-    expect_reference(scene_of(reading), Ball(3000));
+    expect_reference_and_map(scene_of(reading), Ball(3000));
 }
 
 TEST(StrandShadow, TheMappingForGpusAgreesWithTheReference) {
   DrawerOptions options;
   options.mapping = Drawing::group;
-  expect_reference(scene_of(Shadow::exponential), Ball(2000, 2), options);
+  expect_reference_and_map(scene_of(Shadow::exponential), Ball(2000, 2), options);
 }
 
 TEST(StrandShadow, AllLightsAgreeWithTheReference) {
@@ -101,7 +102,7 @@ TEST(StrandShadow, AllLightsAgreeWithTheReference) {
   scene.look.film.resize(2);
   for (FilmSample& sample : scene.look.film[1]) sample = {90, 140, 120};
   scene.look.segments = 5;
-  expect_reference(scene, Ball(3000));
+  expect_reference_and_map(scene, Ball(3000));
 }
 
 TEST(StrandShadow, OnlyTheKeyLightIsShadowed) {
@@ -109,13 +110,13 @@ TEST(StrandShadow, OnlyTheKeyLightIsShadowed) {
   scene.look.light = {0.2f, 0.5f, -1};  // from behind
   const Ball ball(4000);
   scene.look.intensity = 0;
-  const Picture dark = draw_on_device(scene, ball).picture;
+  const Picture dark = draw_with_map(scene, ball).picture;
   scene.look.shadow.reading = Shadow::none;
-  EXPECT_EQ(draw_on_device(scene, ball).picture.pixel, dark.pixel);
+  EXPECT_EQ(draw_with_map(scene, ball).picture.pixel, dark.pixel);
   scene.look.intensity = 1;
-  const Picture lit = draw_on_device(scene, ball).picture;
+  const Picture lit = draw_with_map(scene, ball).picture;
   scene.look.shadow.reading = Shadow::exponential;
-  const Picture shadowed = draw_on_device(scene, ball).picture;
+  const Picture shadowed = draw_with_map(scene, ball).picture;
   double lit_sum = 0, shadowed_sum = 0;
   for (std::size_t i = 0; i < lit.pixel.size(); ++i) {
     EXPECT_LE(shadowed.pixel[i].y, lit.pixel[i].y + 1e-5f);
@@ -128,13 +129,13 @@ TEST(StrandShadow, OnlyTheKeyLightIsShadowed) {
 TEST(StrandShadow, BitsDoNotDependOnTheDivisionOfTheWork) {
   const Ball ball(5001);
   const DrawingScene scene = scene_of(Shadow::linear);
-  const Result first = draw_on_device(scene, ball);
+  const Shadowed first = draw_with_map(scene, ball);
   for (const DrawerOptions& options :
        {DrawerOptions{}, DrawerOptions{.mapping = Drawing::item, .lanes = 1},
         DrawerOptions{.mapping = Drawing::item, .lanes = 16, .runs = 1, .chunks = 1},
         DrawerOptions{.mapping = Drawing::item, .lanes = 16, .runs = 7, .chunks = 33},
         DrawerOptions{.mapping = Drawing::item, .lanes = 1, .runs = 64, .chunks = 5}}) {
-    const Result other = draw_on_device(scene, ball, options);
+    const Shadowed other = draw_with_map(scene, ball, options);
     EXPECT_EQ(other.map, first.map) << options.lanes << " lanes, " << options.runs << " runs";
     EXPECT_EQ(other.picture.pixel, first.picture.pixel)
         << options.lanes << " lanes, " << options.runs << " runs";
@@ -153,7 +154,7 @@ TEST(StrandShadow, AViewThatChangesGivesThePictureOfANewDrawer) {
     scene.look.light = {fraction, 1, 0.2f};
     drawer.set_view(scene);
     drawer.enqueue(test::queue(), nullptr);
-    const Result fresh = draw_on_device(scene, ball);
+    const Shadowed fresh = draw_with_map(scene, ball);
     EXPECT_EQ(drawer.opacity_map(test::queue()), fresh.map);
     EXPECT_EQ(drawer.read(test::queue()).pixel, fresh.picture.pixel);
   }

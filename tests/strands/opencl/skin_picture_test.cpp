@@ -28,11 +28,11 @@ Scene scene_of(int strands) {
   return scene;
 }
 
-struct Result {
+struct OnSkin {
   Picture picture, expected;
 };
 
-Result draw(const Scene& scene, const DrawerOptions& options = {}) {
+OnSkin draw(const Scene& scene, const DrawerOptions& options = {}) {
   static const cl::Queue queue(cl::choose_device(""));
   const auto input = prepare_strands(scene, torus());
   const DrawingScene drawing{input->camera, input->look, input->range, input->dynamics.first_segment,
@@ -47,7 +47,7 @@ Result draw(const Scene& scene, const DrawerOptions& options = {}) {
                           reference::drawing_order(input->camera, input->range, curves), input->skin.get())};
 }
 
-void expect_agreement(const Result& result) {
+void expect_agreement(const OnSkin& result) {
   const Agreement found = compare(result.picture, result.expected);
   EXPECT_TRUE(within(found)) << found.psnr << " dB, 99.9th percentile " << found.p999;
 }
@@ -85,9 +85,9 @@ TEST(SkinPicture, InsideTheObjectIsThatOfTheReference) {
 
 TEST(SkinPicture, HidesStrandsAndIsOpaque) {
   Scene scene = scene_of(300);
-  const Result with = draw(scene);
+  const OnSkin with = draw(scene);
   scene.strands.skin = false;
-  const Result without = draw(scene);
+  const OnSkin without = draw(scene);
   std::size_t opaque = 0, opaque_without = 0;
   for (const glm::vec4& pixel : with.picture.pixel) opaque += pixel.w == 1.0f;
   for (const glm::vec4& pixel : without.picture.pixel) opaque_without += pixel.w == 1.0f;

@@ -42,7 +42,7 @@ glm::vec3 point(double x, double y, float z = 0) {
   return {pixels(x), -pixels(y), z};
 }
 
-DrawnStrand strand(glm::vec3 root, glm::vec3 joint, glm::vec3 tip, double width) {
+DrawnStrand strand_of(glm::vec3 root, glm::vec3 joint, glm::vec3 tip, double width) {
   DrawnStrand s;
   s.point = {root, joint, tip};
   s.normal = {0, 0, 1};
@@ -85,8 +85,8 @@ TEST(DrawingReference, CoverageAddsToTheAreaOfTheStrand) {
       double area = 0;
       for (int k = 0; k < shifts; ++k) {
         const double right = 0.3 + double(k) / shifts, down = 0.7 * k;
-        area += sum_of_alpha(drawn(plain(1), {strand(point(right - x, down - y), point(right, down),
-                                                     point(right + x, down + y), width)})) /
+        area += sum_of_alpha(drawn(plain(1), {strand_of(point(right - x, down - y), point(right, down),
+                                                        point(right + x, down + y), width)})) /
                 shifts;
       }
       EXPECT_NEAR(area / (60 * width * mean), 1, 0.02) << width << ", " << degrees;
@@ -96,7 +96,7 @@ TEST(DrawingReference, CoverageAddsToTheAreaOfTheStrand) {
 
 TEST(DrawingReference, HalfTheWidthHasHalfTheCoverage) {
   const auto area = [](double width) {
-    return sum_of_alpha(drawn(plain(1), {strand(point(-40, -13), point(3, 25), point(44, -7), width)}));
+    return sum_of_alpha(drawn(plain(1), {strand_of(point(-40, -13), point(3, 25), point(44, -7), width)}));
   };
   EXPECT_NEAR(area(0.2) / area(0.4), 0.5, 0.01);
   EXPECT_NEAR(area(0.4) / area(0.8), 0.5, 0.01);
@@ -106,7 +106,7 @@ TEST(DrawingReference, HalfTheWidthHasHalfTheCoverage) {
 // of one fragment with full coverage.
 TEST(DrawingReference, AJointIsBlendedOnce) {
   const std::array<glm::dvec2, 3> p{glm::dvec2(-50, 20), {10, -60}, {50, 30}};
-  const DrawnStrand s = strand(point(p[0].x, p[0].y), point(p[1].x, p[1].y), point(p[2].x, p[2].y), 6);
+  const DrawnStrand s = strand_of(point(p[0].x, p[0].y), point(p[1].x, p[1].y), point(p[2].x, p[2].y), 6);
   for (const int segments : {2, 3, 6, 8}) {
     Look look = plain(0.5f);
     look.segments = segments;
@@ -131,8 +131,8 @@ TEST(DrawingReference, AJointIsBlendedOnce) {
 }
 
 TEST(DrawingReference, TheNearerStrandIsInFront) {
-  DrawnStrand red = strand(point(-30, 0, 0.1f), point(0, 0, 0.1f), point(30, 0, 0.1f), 8);
-  DrawnStrand blue = strand(point(0, -30, -0.1f), point(0, 0, -0.1f), point(0, 30, -0.1f), 8);
+  DrawnStrand red = strand_of(point(-30, 0, 0.1f), point(0, 0, 0.1f), point(30, 0, 0.1f), 8);
+  DrawnStrand blue = strand_of(point(0, -30, -0.1f), point(0, 0, -0.1f), point(0, 30, -0.1f), 8);
   red.colour = {1, 0, 0};
   blue.colour = {0, 0, 1};
   Look look = plain(0.75f);
@@ -152,7 +152,7 @@ TEST(DrawingReference, TheNearerStrandIsInFront) {
 
 TEST(DrawingReference, ListHasFacingStrandsFromFrontToBack) {
   const auto upright = [](float z, glm::vec3 normal, int rank = 0) {
-    DrawnStrand s = strand(point(0, 0, z), point(0, 0, z + 0.01f), point(0, 0, z + 0.02f), 1);
+    DrawnStrand s = strand_of(point(0, 0, z), point(0, 0, z + 0.01f), point(0, 0, z + 0.02f), 1);
     s.normal = normal;
     s.rank = rank;
     return s;
@@ -177,19 +177,19 @@ TEST(DrawingReference, AStrandIsCutAtTheNearPlane) {
   const float behind = distance + 0.5f, front = distance - 0.5f;
   const auto at = [](float x, float z) { return glm::vec3(x, 0.001f, z); };
   for (const auto& [root, tip] : {std::pair{front, behind}, std::pair{behind, front}}) {
-    DrawnStrand s = strand(at(0.01f, root), at(0, distance), at(-0.01f, tip), 1);
+    DrawnStrand s = strand_of(at(0.01f, root), at(0, distance), at(-0.01f, tip), 1);
     s.normal = {0, 0, root > tip ? -1.0f : 1.0f};
     const Picture picture = drawn(plain(1), {s});
     EXPECT_GT(sum_of_alpha(picture), 1);
     for (const glm::vec4& pixel : picture.pixel)
       EXPECT_TRUE(std::isfinite(pixel.r) && std::isfinite(pixel.a));
   }
-  DrawnStrand none = strand(at(0, behind), at(0, behind), at(0.1f, behind), 1);
+  DrawnStrand none = strand_of(at(0, behind), at(0, behind), at(0.1f, behind), 1);
   EXPECT_TRUE(drawing_order(camera(), depth_range(camera(), 2), {none}).empty());
 }
 
 TEST(DrawingReference, LightIsThatOfKajiyaAndKay) {
-  const DrawnStrand s = strand(point(-50, 0), point(0, 0), point(50, 0), 6);
+  const DrawnStrand s = strand_of(point(-50, 0), point(0, 0), point(50, 0), 6);
   const auto colour = [&](glm::vec3 light, float exponent, float specular) {
     Look look = plain(1);
     look.ambient = 0.25f;
@@ -208,7 +208,7 @@ TEST(DrawingReference, LightIsThatOfKajiyaAndKay) {
 }
 
 TEST(DrawingReference, ADifferentTaperAndLengthOfSegmentsChangeTheArea) {
-  const DrawnStrand s = strand(point(-40, 0.2), point(0, 0.2), point(40, 0.2), 4);
+  const DrawnStrand s = strand_of(point(-40, 0.2), point(0, 0.2), point(40, 0.2), 4);
   Look look = plain(1);
   const double full = sum_of_alpha(drawn(look, {s}));
   look.taper = 1;
