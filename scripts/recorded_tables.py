@@ -226,12 +226,12 @@ def effects():
     yield "Effects", (
         "Frame time with an effect / frame time of plain shells at 800x600 (experiment overheads)."), markdown(
         ["effect"] + [f"{model}, {layers} layers" for model, layers in SCENES],
-        [[kind] + [interval(rows[kind, model, layers][0], "baseline_ratio") for model, layers in SCENES] for kind in kinds])
+        [[kind] + [interval(rows[kind, model, layers][0], "frame_over_baseline") for model, layers in SCENES] for kind in kinds])
     yield "Readings", (
         "Frame time with another reading of the papers / frame time with the default, and the two pictures "
         "compared (experiment readings)."), markdown(
         ["reading", "time", "PSNR (dB)", "SSIM"],
-        [[reading(row["switch"]), interval(row, "baseline_ratio"), f"{row['baseline_psnr']:.1f}", f"{row['baseline_ssim']:.3f}"]
+        [[reading(row["switch"]), interval(row, "frame_over_baseline"), f"{row['baseline_psnr']:.1f}", f"{row['baseline_ssim']:.3f}"]
          for row in table("effects/readings.csv") if row["with"] == "default" and row["switch"] != "default"])
 
 
@@ -240,8 +240,8 @@ def scaling():
     yield "Layers and scaling", (
         "Frame time with 64 layers / frame time with fewer, drawn in turns (experiment layers), and the model "
         "that `pelage report` fits to the experiment scaling."), markdown(
-        ["divisor", "ratio"], [["32 layers", span((row["half_ratio"] for row in rows), ".2f")],
-                               ["16 layers", span((row["quarter_ratio"] for row in rows), ".2f")]])
+        ["divisor", "ratio"], [["32 layers", span((row["frame_over_half"] for row in rows), ".2f")],
+                               ["16 layers", span((row["frame_over_quarter"] for row in rows), ".2f")]])
     text = (ROOT / "results/tables/scaling/scaling.txt").read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if re.search(r"^(  per|\d+ cases|ms =|Most memory)", line)]
     yield None, "", "```\n" + "\n".join(lines) + "\n```\n"

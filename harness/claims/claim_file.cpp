@@ -14,10 +14,11 @@
 #include <optional>
 #include <set>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
-#include "harness/toml_text.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -161,6 +162,8 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   read_rows(*rows, claim);
   if (!effect) table.refuse("effect", "effect = { name = \"level\" } is missing");
   read_effect(*effect, claim);
+  for (std::string* name : {&claim.metric, &claim.per, &claim.along})
+    *name = present_metric(*name, file.string());
   if (!table.has("relation")) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
   if (table.holds_text("relation"))
     read_direction(table.text("relation"), table, claim);
@@ -174,14 +177,7 @@ toml::table parsed(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || fs::is_directory(file))
     throw InputError(fmt::format("{}: the file of claims cannot be read", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  check_toml_text(text, file.string());
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
-  }
+  return parse_toml({std::istreambuf_iterator<char>(stream), {}}, file.string());
 }
 
 void read_list(const fs::path& file, const toml::table& source, ClaimFile& result,

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "harness/atomic_file.hpp"
-#include "harness/journal/all_results.hpp"
+#include "harness/record/all_results.hpp"
 #include "harness/report/csv.hpp"
 
 namespace pelage {

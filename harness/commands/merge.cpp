@@ -8,8 +8,8 @@
 
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
-#include "harness/journal/merge.hpp"
-#include "harness/journal/shards.hpp"
+#include "harness/record/merge.hpp"
+#include "harness/record/shards.hpp"
 
 namespace pelage {
 namespace {

@@ -11,10 +11,10 @@
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/provenance.hpp"
-#include "harness/journal/results_folder.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/record/results_folder.hpp"
 #include "harness/tuning/contenders.hpp"
 #include "harness/version/version.hpp"
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/compare/check.hpp"
 #include "harness/compare/metrics.hpp"
+#include "harness/record/check.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage {

@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "harness/base/numbers.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
@@ -34,10 +35,9 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
   if (axis == "size") {
-    std::string width, height;
-    if (!RE2::FullMatch(value, "([0-9]{1,5})x([0-9]{1,5})", &width, &height))
-      throw InputError(fmt::format("size '{}' is not WIDTHxHEIGHT, such as 800x600", value));
-    return {{"image.width", width}, {"image.height", height}};
+    const std::optional<Size> size = size_from_text(value);
+    if (!size) throw InputError(fmt::format("size '{}' is not WIDTHxHEIGHT, such as 800x600", value));
+    return {{"image.width", std::to_string(size->width)}, {"image.height", std::to_string(size->height)}};
   }
   return {};
 }

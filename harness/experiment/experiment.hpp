@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/experiment/view.hpp"
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 #include "harness/scene/scene.hpp"
 
 namespace pelage {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "harness/experiment/toml_values.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage {
 
@@ -19,7 +20,8 @@ std::map<std::string, double> least_values(const fs::path& file, const toml::tab
   std::map<std::string, double> result;
   for (const auto& [metric, node] : table)
     if (!node.is_table())
-      result[std::string(metric.str())] = number_at(file, table, metric.str(), 0, -1e300, 1e300);
+      result[present_metric(std::string(metric.str()), file.string())] =
+          number_at(file, table, metric.str(), 0, -1e300, 1e300);
   return result;
 }
 

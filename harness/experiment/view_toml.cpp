@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "harness/experiment/toml_values.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage {
 namespace {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> texts_at(const fs::path& file, const toml::table& table, std::string_view key) {
   const toml::node* node = table.get(key);
   if (!node) return {};
-  if (const auto text = node->value_exact<std::string>()) return {*text};
+  if (const auto text = node->value_exact<std::string>()) return {present_metric(*text, file.string())};
   const auto* list = node->as_array();
   if (!list || list->empty())
     refuse(file, node, fmt::format("report.{} must be a string or a list of strings", key));
@@ -26,7 +27,7 @@ std::vector<std::string> texts_at(const fs::path& file, const toml::table& table
   for (const toml::node& item : *list) {
     const auto text = item.value_exact<std::string>();
     if (!text) refuse(file, &item, fmt::format("report.{} must be a string or a list of strings", key));
-    texts.push_back(*text);
+    texts.push_back(present_metric(*text, file.string()));
   }
   return texts;
 }
@@ -37,7 +38,7 @@ std::string one_text(const fs::path& file, const toml::table& table, std::string
   if (!node) return {};
   const auto text = node->value_exact<std::string>();
   if (!text) refuse(file, node, fmt::format("report.{} must be a string", key));
-  return *text;
+  return present_metric(*text, file.string());
 }
 
 }  // namespace

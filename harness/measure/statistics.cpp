@@ -8,6 +8,8 @@
 #include <map>
 #include <random>
 
+#include "harness/record/ratios.hpp"
+
 namespace pelage {
 namespace {
 
@@ -34,18 +36,6 @@ std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
 }
 
 }  // namespace
-
-double quantile(std::span<const double> values, double q) {
-  const std::vector<double> v = sorted(values);
-  const double position = q * double(v.size() - 1);
-  const auto below = std::size_t(std::floor(position));
-  const auto above = std::min(below + 1, v.size() - 1);
-  return v[below] + (position - double(below)) * (v[above] - v[below]);
-}
-
-double median(std::span<const double> values) {
-  return quantile(values, 0.5);
-}
 
 bool has_median_interval(std::size_t count, double confidence) {
   return interval_rank(count, confidence) >= 0;
@@ -147,9 +137,7 @@ Metric median_metric(std::span<const double> values, const std::string& unit) {
 }
 
 Metric median_ratio(std::span<const double> a, std::span<const double> b) {
-  std::vector<double> ratio;
-  for (std::size_t i = 0; i < a.size(); ++i) ratio.push_back(a[i] / b[i]);
-  return median_metric(ratio, "times");
+  return median_metric(ratios_by_round(a, b), "times");
 }
 
 }  // namespace pelage

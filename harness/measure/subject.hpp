@@ -12,10 +12,10 @@
 
 #include "harness/cl/device.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/row.hpp"
 #include "harness/measure/sampler.hpp"
 #include "harness/picture/picture.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/base/numbers.hpp"
+
 namespace pelage {
 namespace {
 

@@ -8,7 +8,8 @@
 #include <map>
 #include <set>
 
-#include "harness/journal/provenance.hpp"
+#include "harness/base/numbers.hpp"
+#include "harness/measure/provenance.hpp"
 
 namespace pelage {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/journal/provenance.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/sections.hpp"
 

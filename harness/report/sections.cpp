@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "harness/error.hpp"
-#include "harness/journal/provenance.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/report/case_table.hpp"
 
 namespace pelage {

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "harness/journal/provenance.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/table/render.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/results_folder.hpp"
 #include "harness/table/table.hpp"
 
 namespace pelage {

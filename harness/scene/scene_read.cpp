@@ -1,18 +1,16 @@
 #include <fmt/format.h>
-
-#define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -288,23 +286,17 @@ std::string trimmed(std::string_view text) {
 
 Scene parse_scene(std::string_view text, const std::string& name, const fs::path& folder, const Scene& base) {
   Scene scene = base;
-  try {
-    check_toml_text(text, name);
-    const toml::table table = toml::parse(text, name);
-    for (const char* key : {"axes", "preset"})
-      if (const toml::node* node = table.get(key); node && node->is_table())
-        throw InputError(
-            fmt::format("{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs "
-                        "an experiment",
-                        name, node->source().begin.line, key, name));
-    // The keys are read first, because a key of this text removes the keyframes that the base has for it.
-    read_table(Keys(scene), Source{name, folder}, table, "");
-    if (const toml::node* keyframes = table.get("keyframes"))
-      read_keyframes(Source{name, folder}, *keyframes, "", scene);
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not TOML: {}", name, error.source().begin.line, error.description()));
-  }
+  const toml::table table = parse_toml(std::string(text), name);
+  for (const char* key : {"axes", "preset"})
+    if (const toml::node* node = table.get(key); node && node->is_table())
+      throw InputError(
+          fmt::format("{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs "
+                      "an experiment",
+                      name, node->source().begin.line, key, name));
+  // The keys are read first, because a key of this text removes the keyframes that the base has for it.
+  read_table(Keys(scene), Source{name, folder}, table, "");
+  if (const toml::node* keyframes = table.get("keyframes"))
+    read_keyframes(Source{name, folder}, *keyframes, "", scene);
   check_scene(scene, name);
   return scene;
 }

@@ -2,7 +2,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/compare/shares.hpp"
-#include "harness/journal/part_hashes.hpp"
+#include "harness/record/part_hashes.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/memory.hpp"
 #include "harness/mesh/quality.hpp"

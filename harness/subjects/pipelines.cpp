@@ -6,8 +6,8 @@
 #include "harness/subjects/baseline_scene.hpp"
 #include "harness/subjects/fewer_layers.hpp"
 #include "harness/subjects/frames.hpp"
-#include "harness/subjects/opengl.hpp"
 #include "harness/subjects/raycast_difference.hpp"
+#include "harness/subjects/with_opengl.hpp"
 #include "harness/system/strands/backends.hpp"
 
 namespace pelage {
@@ -22,7 +22,7 @@ std::unique_ptr<Subject> strands_against_opengl(SubjectContext& context, const C
   auto theirs = std::make_unique<Frames>(context, which, backend_named("strands-opengl"), true);
   auto ours = std::make_unique<Frames>(context, which, backend_named("strands"), true);
   strands::show_keys(theirs->backend(), strands::keys_of(ours->backend()));
-  return duel(std::move(ours), std::move(theirs), "opengl");
+  return with_opengl(std::move(ours), std::move(theirs));
 }
 
 /// The studies: what experiments time besides the backends of the systems.
@@ -40,7 +40,7 @@ constexpr Pipeline studies[] = {
     {"shells+opengl",
      [](SubjectContext& context, const Case& which) {
        auto theirs = frames_of(context, which, "opengl");
-       return duel(frames_of(context, which, "shells"), std::move(theirs), "opengl");
+       return with_opengl(frames_of(context, which, "shells"), std::move(theirs));
      }},
     {"strands+opengl", strands_against_opengl},
     {"strands+raycast",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/base/numbers.hpp"
 #include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 
@@ -14,10 +15,9 @@ namespace {
 std::string label_text(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) {
-    const std::size_t x = part.find('x');
-    const bool size = x != std::string::npos && number_of(part);
+    const std::optional<Size> size = size_from_text(part);
     text += (text.empty() ? "" : ", ") +
-            (size ? fmt::format("${} \\times {}$", part.substr(0, x), part.substr(x + 1)) : latex_text(part));
+            (size ? fmt::format("${} \\times {}$", size->width, size->height) : latex_text(part));
   }
   return text;
 }

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "harness/error.hpp"
-#include "harness/journal/journal.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/record/journal.hpp"
 #include "harness/report/input_sets.hpp"
 
 namespace pelage::planted {

@@ -62,13 +62,13 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
   c.axes = {{"model", "bunny"}, {"layers", "64"}, {"size", "800x600"}};
   c.status = Status::ok;
   c.median_ms = 200;
-  c.metrics["half_ratio"] = {1.8, "times", "", 1.7, 1.9};
+  c.metrics["frame_over_half"] = {1.8, "times", "", 1.7, 1.9};
   std::vector<Cell> all{c};
   EXPECT_TRUE(in_turns_cells(all).empty());  // no quarter
-  all[0].metrics["quarter_ratio"] = {3.2, "times", "", 3.1, 3.4};
+  all[0].metrics["frame_over_quarter"] = {3.2, "times", "", 3.1, 3.4};
   all.push_back(all[0]);
   all[1].status = Status::failed_check;
-  all[1].metrics["half_ratio"].value = 9;
+  all[1].metrics["frame_over_half"].value = 9;
   const std::vector<Cell> shown = in_turns_cells(all);
   ASSERT_EQ(shown.size(), 1u);
   EXPECT_NE(in_turns_csv(shown).find("device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4"),

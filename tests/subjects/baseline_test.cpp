@@ -58,8 +58,8 @@ TEST(Baseline, IsTimedInTurnsWithTheCase) {
   const Row row = row_of();
   EXPECT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("baseline").wall_ms.size(), row.samples.at("frame").wall_ms.size());
-  EXPECT_NEAR(row.metrics.at("baseline_ratio").value, 1.5, 0.01);
-  EXPECT_LE(row.metrics.at("baseline_ratio").low, row.metrics.at("baseline_ratio").value);
+  EXPECT_NEAR(row.metrics.at("frame_over_baseline").value, 1.5, 0.01);
+  EXPECT_LE(row.metrics.at("frame_over_baseline").low, row.metrics.at("frame_over_baseline").value);
   EXPECT_EQ(row.metrics.at("baseline_psnr").value, 200);
   EXPECT_EQ(row.metrics.at("baseline_ssim").value, 1);
 }

@@ -13,6 +13,7 @@
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 #include "harness/subjects/pipelines.hpp"
+#include "harness/subjects/with_opengl.hpp"
 
 namespace pelage {
 namespace {
@@ -49,8 +50,8 @@ Row fought(float rivals_grey, std::string* order) {
   which.name = "case";
   which.variant = "shells+opengl";
   return run_case(plan, which, {0, 6, 6, 1.0, 10}, [&](const Case&) {
-    return duel(std::make_unique<Grey>(1.0, 0.5f, order), std::make_unique<Grey>(8.0, rivals_grey, order),
-                "opengl");
+    return with_opengl(std::make_unique<Grey>(1.0, 0.5f, order),
+                       std::make_unique<Grey>(8.0, rivals_grey, order));
   });
 }
 
