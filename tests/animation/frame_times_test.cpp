@@ -16,7 +16,7 @@ Scene scene_of(const std::string& text) {
   return parse_scene(text, "scene.toml");
 }
 
-std::string refusal(const TimeOptions& options, const std::string& scene = "") {
+std::string frames_refusal(const TimeOptions& options, const std::string& scene = "") {
   try {
     const FrameTimes times = frame_times(options, scene_of(scene));
     check_frames(scene_of(scene), times);
@@ -55,33 +55,34 @@ TEST(FrameTimes, WithoutAnEndTheLastKeyframeIsTheEnd) {
 
 TEST(FrameTimes, RefusesWhatIsOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::string none = refusal({});
+  const std::string none = frames_refusal({});
   EXPECT_NE(none.find("no keyframes"), std::string::npos) << none;
   EXPECT_NE(none.find("--to SECONDS"), std::string::npos) << none;
   // Keyframes of dynamics.time have no effect, so they give no end.
-  EXPECT_EQ(refusal({}, "[keyframes]\n\"dynamics.time\" = [[0, 0.0], [9, 1.0]]\n"), none);
-  EXPECT_EQ(refusal({.to = 1, .frames = 3}), "give --to or --frames, but not both");
-  EXPECT_EQ(refusal({.fps = 0, .to = 1}), "--fps 0: give a number above 0 and at most 1000");
-  EXPECT_EQ(refusal({.fps = nan, .to = 1}), "--fps nan: give a number above 0 and at most 1000");
-  EXPECT_EQ(refusal({.fps = 1001, .to = 1}), "--fps 1001: give a number above 0 and at most 1000");
-  EXPECT_EQ(refusal({.from = -1, .to = 1}), "--from -1: give a time of 0 to 3600 s");
-  EXPECT_EQ(refusal({.to = 3601}), "--to 3601: give a time of 0 to 3600 s");
-  EXPECT_EQ(refusal({.to = nan}), "--to nan: give a time of 0 to 3600 s");
-  EXPECT_EQ(refusal({.from = 2, .to = 1}),
+  EXPECT_EQ(frames_refusal({}, "[keyframes]\n\"dynamics.time\" = [[0, 0.0], [9, 1.0]]\n"), none);
+  EXPECT_EQ(frames_refusal({.to = 1, .frames = 3}), "give --to or --frames, but not both");
+  EXPECT_EQ(frames_refusal({.fps = 0, .to = 1}), "--fps 0: give a number above 0 and at most 1000");
+  EXPECT_EQ(frames_refusal({.fps = nan, .to = 1}), "--fps nan: give a number above 0 and at most 1000");
+  EXPECT_EQ(frames_refusal({.fps = 1001, .to = 1}), "--fps 1001: give a number above 0 and at most 1000");
+  EXPECT_EQ(frames_refusal({.from = -1, .to = 1}), "--from -1: give a time of 0 to 3600 s");
+  EXPECT_EQ(frames_refusal({.to = 3601}), "--to 3601: give a time of 0 to 3600 s");
+  EXPECT_EQ(frames_refusal({.to = nan}), "--to nan: give a time of 0 to 3600 s");
+  EXPECT_EQ(frames_refusal({.from = 2, .to = 1}),
             "--from 2: the first frame is after the last one, which is at 1 s");
   EXPECT_EQ(
-      refusal({.from = 2}, moving),
+      frames_refusal({.from = 2}, moving),
       "--from 2: the first frame is after the last one, which is at 1.25 s, the time of the last keyframe");
-  EXPECT_EQ(refusal({.frames = 0}), "an animation of 0 frames; it must have 1 to 100000");
-  EXPECT_EQ(refusal({.fps = 1000, .to = 3600}), "an animation of 3600001 frames; it must have 1 to 100000");
-  EXPECT_EQ(refusal({.fps = 1, .from = 3599, .frames = 3}),
+  EXPECT_EQ(frames_refusal({.frames = 0}), "an animation of 0 frames; it must have 1 to 100000");
+  EXPECT_EQ(frames_refusal({.fps = 1000, .to = 3600}),
+            "an animation of 3600001 frames; it must have 1 to 100000");
+  EXPECT_EQ(frames_refusal({.fps = 1, .from = 3599, .frames = 3}),
             "--frames 3: the last frame is at 3601 s; its time must be at most 3600 s");
-  EXPECT_EQ(refusal({.fps = 1, .from = 3599, .frames = 2}), "");
+  EXPECT_EQ(frames_refusal({.fps = 1, .from = 3599, .frames = 2}), "");
 }
 
 TEST(FrameTimes, AllFramesHaveOneSize) {
   const std::string refused =
-      refusal({.fps = 1, .to = 3}, "[keyframes]\n\"image.width\" = [[0, 800], [2, 640]]\n");
+      frames_refusal({.fps = 1, .to = 3}, "[keyframes]\n\"image.width\" = [[0, 800], [2, 640]]\n");
   EXPECT_NE(refused.find("the frame at 2 s has 640x600 pixels and the first frame 800x600"),
             std::string::npos)
       << refused;
@@ -89,8 +90,8 @@ TEST(FrameTimes, AllFramesHaveOneSize) {
 
 TEST(FrameTimes, ASceneThatIsNotValidAtTheTimeOfAFrameIsRefused) {
   const std::string opposite = "[keyframes]\n\"camera.direction\" = [[0, [1, 0, 0]], [2, [-1, 0, 0]]]\n";
-  EXPECT_EQ(refusal({.fps = 0.5}, opposite), "");
-  EXPECT_NE(refusal({.fps = 1}, opposite).find("camera.direction"), std::string::npos);
+  EXPECT_EQ(frames_refusal({.fps = 0.5}, opposite), "");
+  EXPECT_NE(frames_refusal({.fps = 1}, opposite).find("camera.direction"), std::string::npos);
 }
 
 }  // namespace
