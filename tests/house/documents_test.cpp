@@ -201,7 +201,8 @@ std::vector<std::string> dead_citations(const std::string& file) {
 TEST(Documents, NameWhatExists) {
   EXPECT_GT(documents().size(), 8u);
   for (const fs::path& document : documents()) {
-    const std::string text = pelage::test::text_of(document), name = document.lexically_relative(root).generic_string();
+    const std::string text = pelage::test::text_of(document),
+                      name = document.lexically_relative(root).generic_string();
     for (const std::string& fault : gone(text)) ADD_FAILURE() << name << ": " << fault;
     for (const std::string& fault : dead_links(text, document.parent_path()))
       ADD_FAILURE() << name << ": " << fault;

@@ -89,7 +89,8 @@ TEST(House, LaunchesKernelsInOnePlaceAndInGroupsOfAKnownSize) {
     faults.insert(faults.end(), found.begin(), found.end());
   }
   EXPECT_TRUE(faults.empty()) << joined(faults);
-  EXPECT_NE(pelage::test::text_of(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("), std::string::npos);
+  EXPECT_NE(pelage::test::text_of(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("),
+            std::string::npos);
 }
 
 TEST(House, PlantedLaunchesAreFound) {
