@@ -9,11 +9,9 @@
 #include <cstdio>
 #include <set>
 
-#include "bench/program.hpp"
 #include "harness/cl/device.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/cl/timer.hpp"
-#include "harness/compare/shares.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
@@ -40,14 +38,12 @@ struct Bench {
   cl::Queue queue;
   shells::WetStage wet;
   Tally tally;
-  std::map<std::string, double> operations;
 
   Bench(const cl::Device& device, std::shared_ptr<const FrameInput> from, const std::string& mapping)
       : input(std::move(from)), shells(device, input, {mapping, {}}), queue(device), wet(queue, *input) {
     shells.advance(frames_before(input->scene.dynamics));
     shells.frame();
     tally = shells.tally();
-    operations = shells.operations(tally, wet_share(*input->mesh, shells.mask(), input->scene.wetness.size));
   }
 };
 
@@ -82,8 +78,6 @@ void time_kernel(benchmark::State& state, Bench& bench, const std::string& kerne
     return benchmark::Counter(value, benchmark::Counter::kIsIterationInvariantRate);
   };
   state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
-  if (const auto found = bench.operations.find(kernel); found != bench.operations.end())
-    state.counters["operations"] = rate(found->second);
   if (draws(kernel)) {
     state.counters["covered"] = rate(double(bench.tally.covered));
     state.counters["shaded"] = rate(double(bench.tally.shaded));
@@ -203,6 +197,11 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return pelage::bench::exit_code("pelage-bench", argc, argv,
-                                  [](pelage::bench::Arguments a) { return run(a.count, a.values); });
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pelage-bench: {}\n", error.what());
+    if (dynamic_cast<const pelage::InputError*>(&error)) return 2;
+    return dynamic_cast<const pelage::NoDeviceError*>(&error) ? 3 : 1;
+  }
 }

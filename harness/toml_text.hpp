@@ -1,9 +1,14 @@
-// Checks TOML text before toml++ reads it. toml++ limits the nesting of values but not the number of parts of
-// a dotted key, and a key with several hundred thousand parts overflows the stack. The
+// Reads TOML files, and checks TOML text before toml++ reads it. toml++ limits the nesting of values but not
+// the number of parts of a dotted key, and a key with several hundred thousand parts overflows the stack. The
 // behaviour of toml++ is undefined for some non-ASCII characters outside quotes. It is also undefined for
 // some non-ASCII characters in a string if a backslash continues the string on the next line.
 #pragma once
+#include <toml++/toml.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -176,6 +181,28 @@ class TomlScanner {
 /// The message begins with `name`, the name of the file or option that contains the text.
 inline void check_toml_text(std::string_view text, const std::string& name) {
   detail::TomlScanner(text, name).scan();
+}
+
+/// Parses TOML text. Throws InputError as check_toml_text() does, and with the line of a mistake.
+inline toml::table toml_of(const std::string& text, const std::string& name) {
+  check_toml_text(text, name);
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    throw InputError(name + ":" + std::to_string(error.source().begin.line) +
+                     ": not TOML: " + std::string(error.description()));
+  }
+}
+
+/// Returns the text of a TOML file. Throws InputError if it cannot be read.
+inline std::string toml_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) throw InputError(file.string() + ": cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline toml::table read_toml(const std::filesystem::path& file) {
+  return toml_of(toml_text(file), file.string());
 }
 
 }  // namespace pelage

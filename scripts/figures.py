@@ -90,7 +90,6 @@ def options():
 
 AGREEMENTS = {
     "byte": "With `byte`, the PSNR against the reference is therefore only {few} dB with 16 layers and {many} dB with 64 layers",
-    "byte-two": "With `levels=two,texels=byte` the PSNR against the reference is {few} dB with 16 layers and {many} dB with 64",
     "rgba16f": "With rgba16f and 64 layers, the PSNR against the reference is {many} dB",
 }
 
@@ -127,12 +126,8 @@ def largest_pictures():
 
 
 def drawing_share(model):
-    rows = [row for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells" and row["case"].startswith(model + "-")]
+    rows = [row for row in table("profile/shells.csv") if row["kernel"] == "tile_shells" and row["case"].startswith(model + "-")]
     return [100 * row["ms"] / row["frame_ms"] for row in rows]
-
-
-def share_of_roof():
-    return ends((100 * row["share_of_roof"] for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells"), ".0f")
 
 
 def trials():
@@ -251,7 +246,6 @@ SENTENCES = [
      lambda: ends(drawing_share("lion"), ".0f")),
     ("docs/performance.md", "and {least} to {most}% of the frame time of the torus",
      lambda: ends(drawing_share("torus"), ".0f")),
-    ("docs/performance.md", "the rate of operations of `tile_shells` is {least} to {most}% of its roof", share_of_roof),
     *effects_sentences.SENTENCES,
     *pairs_sentences.SENTENCES,
     *springs_sentences.SENTENCES,

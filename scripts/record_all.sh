@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Records the results of this machine that results/ holds: runs all experiments whose rows the documents and the claims
 # use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/rivals-avx2, docs/effects, docs/scaling,
-# docs/strands, docs/roofline, the table of README.md, the verdicts in docs/claims.md and the figures in the documents
+# docs/strands, docs/profile, the table of README.md, the verdicts in docs/claims.md and the figures in the documents
 # (scripts/figures.py). The machine must run nothing else. The script takes about four hours on two cores.
 #
 # Usage: scripts/record_all.sh FOLDER
@@ -62,8 +62,8 @@ record rival-options rival-options
 record overheads overheads --repeat 3
 record readings readings --preset paper
 record depth readings --filter depth
-part roofline "$PELAGE" roofline -o "$runs/roofline"
-part roofline-strands "$PELAGE" roofline demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/roofline-strands"
+part profile "$PELAGE" profile -o "$runs/profile"
+part profile-strands "$PELAGE" profile demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/profile-strands"
 
 rm -rf results/wetfur2010-table1
 cp -r "$runs/wet/wetfur2010-table1" results/
@@ -75,7 +75,7 @@ scripts/record_report.sh docs/effects "$runs"/{overheads,readings,depth}
 scripts/record_report.sh docs/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"
 scripts/record_report.sh docs/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
-cp "$runs"/roofline/roofline.{csv,svg,pdf} docs/roofline/
-for end in csv svg pdf; do cp "$runs/roofline-strands/roofline.$end" "docs/roofline/strands.$end"; done
+for end in csv svg pdf; do cp "$runs/profile/profile.$end" "docs/profile/shells.$end"; done
+for end in csv svg pdf; do cp "$runs/profile-strands/profile.$end" "docs/profile/strands.$end"; done
 scripts/claims_table.py "$PELAGE"
 scripts/figures.py

@@ -1,10 +1,9 @@
-#include "harness/commands/check.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <set>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/check_scenes.hpp"
 #include "harness/compare/frame_output.hpp"

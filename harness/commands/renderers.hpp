@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/commands/command.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/picture/picture.hpp"
 #include "harness/scene/scene.hpp"

@@ -16,10 +16,6 @@
 namespace pelage {
 namespace {
 
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
-
 /// Returns the rank by which the columns of the axes are sorted: first the model, then all other axes, then
 /// the number of layers, then the picture size.
 int rank(const std::string& axis) {
@@ -136,6 +132,10 @@ bool is_key(const std::string& column, const std::vector<Cell>& cells) {
 }
 
 }  // namespace
+
+bool timed(const Cell& c) {
+  return c.status == Status::ok && c.median_ms > 0;
+}
 
 std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   std::vector<CellColumn> columns;

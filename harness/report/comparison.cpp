@@ -36,7 +36,7 @@ std::string common_name(const Cell& cell, const CompareBy& by) {
   return name;
 }
 
-bool timed(const Cell& cell) {
+bool has_time(const Cell& cell) {
   return cell.median_ms > 0;
 }
 
@@ -105,12 +105,12 @@ Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
   if (by.text == "device" && a.variant != b.variant) pair.name += " -> " + b.variant;
   pair.a = value_of(a, by);
   pair.b = value_of(b, by);
-  pair.a_ms = timed(a) ? typical_ms(a.timings) : 0;
-  pair.b_ms = timed(b) ? typical_ms(b.timings) : 0;
+  pair.a_ms = has_time(a) ? typical_ms(a.timings) : 0;
+  pair.b_ms = has_time(b) ? typical_ms(b.timings) : 0;
   pair.a_processes = a.timings.processes.size();
   pair.b_processes = b.timings.processes.size();
   pair.contended = a.contended || b.contended;
-  if (timed(a) && !timed(b)) {
+  if (has_time(a) && !has_time(b)) {
     pair.verdict = Verdict::lost;
     pair.reason = std::string(to_text(b.status));
     if (!b.reason.empty()) pair.reason += ": " + b.reason;
@@ -178,7 +178,7 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
   std::vector<std::optional<Difference>> differences;  // one per pair; empty if a time is missing
   for (const auto& [first, second] : matches) {
     pairs.push_back(pair_of(*first, *second, by));
-    differences.push_back(timed(*first) && timed(*second)
+    differences.push_back(has_time(*first) && has_time(*second)
                               ? std::optional(difference_of(first->timings, second->timings))
                               : std::nullopt);
   }

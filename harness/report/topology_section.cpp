@@ -12,11 +12,7 @@ namespace {
 
 constexpr const char* axis = "dynamics.topology";
 
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
-
-std::string place_of(Cell cell) {
+std::string without_topology(Cell cell) {
   cell.axes.erase(axis);
   return name_of(cell) + "\n" + cell.variant;
 }
@@ -34,9 +30,9 @@ std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Tab
 /// Returns the cell with the topology `first` whose variant and other axes are equal to those of `like`.
 /// Returns null if there is no such cell, or if the cell has no time.
 const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
-  const std::string place = place_of(like);
+  const std::string place = without_topology(like);
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
-    return c.axis(axis) == first && timed(c) && place_of(c) == place;
+    return c.axis(axis) == first && timed(c) && without_topology(c) == place;
   });
   return found == cells.end() ? nullptr : &*found;
 }
@@ -71,7 +67,8 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
         ratios.push_back(c.median_ms / first->median_ms);
       if (!simulate_ms(c)) continue;
       shares.push_back(*simulate_ms(c) / c.median_ms);
-      if (shares.back() >= most) most = shares.back(), worst = place_of(c).substr(0, place_of(c).find('\n'));
+      if (shares.back() >= most)
+        most = shares.back(), worst = without_topology(c).substr(0, without_topology(c).find('\n'));
     }
     table.lines.push_back(
         {text_value(topology),
@@ -104,19 +101,12 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
     if (c.column.name == "median_ms") c.column.heading = "frame";
     if (c.column.name == "simulate_ms") c.column.heading = "simulate";
   }
-  Section section{table_of(cells, columns), {}};
+  Section section = section_of(cells, columns, stem, sources);
   Table& table = section.table;
-  const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
-  table.title = title_of(cells);
-  table.subtitle = subtitle_of(cells, sources.several_hosts);
-  table.stem = stem;
-  for (const char* name : {"layers", "size"})
-    if (has(name)) table.layout.blocks.emplace_back(name);
-  for (const char* name : {"model", "triangles"})
-    if (has(name)) table.layout.rows.emplace_back(name);
-  table.layout.groups = {axis};
-  table.layout.values = {"median_ms"};
-  if (has("simulate_ms")) table.layout.values.emplace_back("simulate_ms");
+  table.layout = {present(table, {"layers", "size"}),
+                  present(table, {"model", "triangles"}),
+                  {axis},
+                  present(table, {"median_ms", "simulate_ms"})};
   add_varying_keys(table, cells);
   add_footnotes(table, sources.note);
   table.remarks = {
@@ -125,12 +115,13 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
       "by the device's timer."};
   for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
-  if (view == View{} && has("triangles")) {
-    view = {.x = "triangles", .y = {"median_ms"}, .series = {axis}, .x_scale = "log", .y_scale = "log"};
-    if (has("simulate_ms")) view.y.emplace_back("simulate_ms");
-    for (const char* name : {"layers", "size"})
-      if (has(name)) view.panels.emplace_back(name);
-  }
+  if (view == View{} && column_of(table, "triangles") >= 0)
+    view = {.x = "triangles",
+            .y = table.layout.values,
+            .series = {axis},
+            .panels = table.layout.blocks,
+            .x_scale = "log",
+            .y_scale = "log"};
   section.plots = plots_of(table, cells, view, *sources.notes);
   Section shares{shares_of(cells, topologies), {}};
   shares.table.subtitle = table.subtitle;

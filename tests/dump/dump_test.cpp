@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
 #include "tests/dump/datasets_of.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
@@ -45,13 +44,9 @@ Datasets documented() {
 
 /// Writes a dump of the frame `input`, drawn by the reference, and returns its datasets.
 Datasets dumped(const FrameInput& input) {
-  std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
-  if (!mkdtemp(folder.data())) std::abort();
-  const fs::path path = fs::path(folder) / "frame.h5";
-  dump_frame(path, input, reference_output(input, 2, false));
-  const Datasets found = datasets_of(path);
-  fs::remove_all(folder);
-  return found;
+  const test::Folder folder;
+  dump_frame(folder.path / "frame.h5", input, reference_output(input, 2, false));
+  return datasets_of(folder.path / "frame.h5");
 }
 
 FrameInput frame_of(const std::string& topology, const std::string& binding) {

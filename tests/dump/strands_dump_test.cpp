@@ -1,14 +1,13 @@
 // Tests that a dump of strands has the datasets of docs/strands.md, section "The dump", with the same shapes
 // and units.
-#include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
 #include "harness/dump/strands.hpp"
 #include "tests/dump/datasets_of.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
@@ -46,12 +45,10 @@ TEST(StrandsDump, HoldsWhatTheDocumentSaysAndNothingElse) {
   const auto input =
       strands::prepare_strands(scene, std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 9, 6)));
   const StrandFrame frame = reference_strands(*input, 1);
-  std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
-  ASSERT_TRUE(mkdtemp(folder.data()));
-  const fs::path path = fs::path(folder) / "frame.h5";
+  const test::Folder folder;
+  const auto path = folder.path / "frame.h5";
   dump_strands(path, *input, frame, "strands-reference", 1);
   const Datasets file = datasets_of(path), table = documented();
-  fs::remove_all(folder);
   ASSERT_GT(table.size(), 15u);
   const std::map<std::string, std::size_t> symbols{{"K", input->fur.keys.size()},
                                                    {"S", input->fur.strands.size()},

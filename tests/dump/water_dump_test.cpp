@@ -4,17 +4,14 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 
 #include "harness/dump/dump.hpp"
 #include "harness/prepare/water.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<float> floats(hid_t file, const char* name) {
   const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
@@ -33,15 +30,13 @@ TEST(WaterDump, HoldsTheWetnessOfThePicture) {
   FrameInput input = synthetic::frame(scene, synthetic::torus(), 12, 8, 8);
   for (std::size_t i = 0; i < 8; ++i) input.droplets[i].arrival = .01f * float(i);
   constexpr int frames = 4;  // the picture at 0.05 s, with the default step and substeps
-  std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
-  ASSERT_TRUE(mkdtemp(folder.data()));
-  const fs::path path = fs::path(folder) / "frame.h5";
+  const test::Folder folder;
+  const auto path = folder.path / "frame.h5";
   dump_frame(path, input, reference_output(input, frames, false));
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const std::vector<float> arrival = floats(file, "droplet/arrival"), rho = floats(file, "droplet/rho"),
                            soaked = floats(file, "droplet/wetness");
   H5Fclose(file);
-  fs::remove_all(folder);
   ASSERT_EQ(rho.size(), 8u);
   const double time = picture_time(scene.dynamics, frames);
   ASSERT_NEAR(time, .05, 1e-6);
