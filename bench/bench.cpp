@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <set>
 
-#include "bench/program.hpp"
 #include "harness/cl/device.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/cl/timer.hpp"
@@ -85,8 +84,6 @@ void time_kernel(benchmark::State& state, Bench& bench, const std::string& kerne
     return benchmark::Counter(value, benchmark::Counter::kIsIterationInvariantRate);
   };
   state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
-  for (const auto& [phase_and_kernel, operations] : bench.work.operations)
-    if (phase_and_kernel.second == kernel) state.counters["operations"] = rate(operations);
   if (draws(kernel)) {
     state.counters["covered"] = rate(bench.work.covered);
     state.counters["shaded"] = rate(bench.work.shaded);
@@ -210,6 +207,11 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return pelage::bench::exit_code("pelage-bench", argc, argv,
-                                  [](pelage::bench::Arguments a) { return run(a.count, a.values); });
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pelage-bench: {}\n", error.what());
+    if (dynamic_cast<const pelage::InputError*>(&error)) return 2;
+    return dynamic_cast<const pelage::NoDeviceError*>(&error) ? 3 : 1;
+  }
 }

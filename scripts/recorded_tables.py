@@ -245,11 +245,10 @@ def scaling():
     text = (ROOT / "results/tables/scaling/scaling.txt").read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if re.search(r"^(  per|\d+ cases|ms =|Most memory)", line)]
     yield None, "", "```\n" + "\n".join(lines) + "\n```\n"
-    shares = by((row for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells"), "case")
+    shares = by((row for row in table("profile/shells.csv") if row["kernel"] == "tile_shells"), "case")
     yield "The kernel `tile_shells`", (
-        "Share of the frame time, and rate of operations / roof of the device (`pelage roofline`)."), markdown(
-        ["case", "share", "of roof"], [[case, f"{100 * row['ms'] / row['frame_ms']:.0f}%", f"{100 * row['share_of_roof']:.0f}%"]
-                                       for (case,), [row] in shares.items()])
+        "Share of the frame time (`pelage profile`)."), markdown(
+        ["case", "share"], [[case, f"{100 * row['ms'] / row['frame_ms']:.0f}%"] for (case,), [row] in shares.items()])
 
 
 def strands():
@@ -269,7 +268,7 @@ def trials():
     verdicts = by(table("aa-test/trials.csv"), "side", "verdict")
     sides = {side: sum(len(rows) for (s, _), rows in verdicts.items() if s == side) for side in ("equal", "slower")}
     wrong = sum(len(verdicts["equal", verdict]) for verdict in ("faster", "slower"))
-    yield "Verdicts of `pelage compare`", "What `pelage aa-test` counted.", markdown(
+    yield "Verdicts of `pelage compare`", "What `scripts/aa_test.py` counted.", markdown(
         ["sides", "comparisons", "called different"],
         [["equal", sides["equal"], wrong], ["5% more work", sides["slower"], len(verdicts["slower", "slower"])]])
 

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <string>
 
-#include "harness/toml_text.hpp"
 #include "harness/error.hpp"
+#include "harness/toml_text.hpp"
 
 namespace pelage {
 
@@ -28,7 +28,8 @@ inline toml::table parse_toml(const std::string& text, const std::string& name) 
 /// Returns the content of the file. Throws InputError if the file cannot be read.
 inline std::string toml_text_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  if (!stream || std::filesystem::is_directory(file))
+    throw InputError(fmt::format("{}: cannot be read", file.string()));
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -173,13 +170,6 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   return claim;
 }
 
-toml::table parsed(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file))
-    throw InputError(fmt::format("{}: the file of claims cannot be read", file.string()));
-  return parse_toml({std::istreambuf_iterator<char>(stream), {}}, file.string());
-}
-
 void read_list(const fs::path& file, const toml::table& source, ClaimFile& result,
                std::set<std::string>& ids) {
   const toml::array* list = source["claim"].as_array();
@@ -208,7 +198,7 @@ void check_keys(const fs::path& file, const toml::table& source, const std::vect
 }  // namespace
 
 ClaimFile read_claims(const fs::path& file) {
-  const toml::table source = parsed(file);
+  const toml::table source = read_toml(file);
   ClaimFile result;
   result.file = file;
   check_keys(file, source, {"[[claim]]", "include", "process_spread", "separate_processes"});
@@ -225,7 +215,7 @@ ClaimFile read_claims(const fs::path& file) {
                                  file.string(), include.source().begin.line));
   for (const toml::node& name : *names) {
     const fs::path other = file.parent_path() / *name.value<std::string>();
-    const toml::table more = parsed(other);
+    const toml::table more = read_toml(other);
     check_keys(other, more, {});
     read_list(other, more, result, ids);
   }

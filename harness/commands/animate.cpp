@@ -1,5 +1,3 @@
-#include "harness/commands/animate.hpp"
-
 #include <fmt/format.h>
 
 #include <chrono>
@@ -8,6 +6,7 @@
 #include "harness/animation/frame_times.hpp"
 #include "harness/animation/video.hpp"
 #include "harness/cl/program.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/commands/progress.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"

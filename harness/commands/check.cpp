@@ -1,11 +1,10 @@
-#include "harness/commands/check.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <set>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/check_scenes.hpp"
 #include "harness/error.hpp"

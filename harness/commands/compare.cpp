@@ -1,11 +1,10 @@
 // pelage compare: finds the cases that became slower or faster between two sets of results.
-#include "harness/commands/compare.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/report/comparison.hpp"

@@ -1,7 +1,5 @@
 // pelage devices: lists OpenCL platforms and devices. With --measure, it also measures the speed of the
 // devices.
-#include "harness/commands/devices.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +7,7 @@
 
 #include "harness/cl/device.hpp"
 #include "harness/cl/measure.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 
 namespace pelage {

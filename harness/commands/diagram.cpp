@@ -1,9 +1,8 @@
-#include "harness/commands/diagram.hpp"
-
 #include <fmt/format.h>
 
 #include <filesystem>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/drawn_table.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"

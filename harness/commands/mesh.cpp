@@ -1,4 +1,4 @@
-#include "harness/commands/mesh.hpp"
+#include "harness/mesh/mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include <optional>
 #include <set>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
-#include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/write_ply.hpp"
 #include "harness/picture/image_io.hpp"

@@ -1,5 +1,4 @@
-#include "harness/commands/render.hpp"
-
+#include "harness/commands/commands.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/dump/dump.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "harness/commands/command.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/system/renderer.hpp"
 
 namespace pelage {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "harness/claims/print.hpp"
-#include "harness/commands/report.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/models.hpp"

@@ -1,6 +1,4 @@
 // pelage run: times the cases of an experiment on a device and writes one row of results per case.
-#include "harness/commands/run.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -11,6 +9,7 @@
 #include <random>
 #include <set>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/progress.hpp"
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"

@@ -1,5 +1,3 @@
-#include "harness/commands/topology.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "harness/atomic_file.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"

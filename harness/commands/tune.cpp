@@ -1,7 +1,5 @@
 // pelage tune: finds the fastest values of the kernels' tuning axes on a device. A tuning axis is a parameter
 // of a kernel that affects only its speed, such as the width of a tile.
-#include "harness/commands/tune.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,6 +7,7 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/cl/program.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/measure/provenance.hpp"

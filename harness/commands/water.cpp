@@ -1,15 +1,15 @@
-#include "harness/commands/water.hpp"
+#include "harness/prepare/water.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/drawn_table.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/droplets.hpp"
-#include "harness/prepare/water.hpp"
 #include "harness/scene/keyframes.hpp"
 
 namespace pelage {

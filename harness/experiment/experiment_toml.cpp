@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -16,9 +14,7 @@
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/experiment/require_toml.hpp"
-#include "harness/experiment/toml_values.hpp"
-#include "harness/experiment/view_toml.hpp"
+#include "harness/experiment/tables_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -313,10 +309,10 @@ Metric published_figure(const std::string& text, const std::string& unit) {
 }
 
 Experiment read_experiment(const fs::path& file) {
-  Source source{file, toml_text_of(file), {0}};
-  const toml::table table = parse_toml(source.text, file.string());
+  Source source{file, toml_text_of(file)};
   for (std::size_t i = 0; i < source.text.size(); ++i)
     if (source.text[i] == '\n') source.lines.push_back(i + 1);
+  const toml::table table = parse_toml(source.text, file.string());
   if (!table.contains("name") && !table.contains("axes"))
     throw InputError(fmt::format(
         "{}: is not an experiment, because it has neither a name nor axes. If it is a scene, write "

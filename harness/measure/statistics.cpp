@@ -119,18 +119,6 @@ double relative_half_width(std::span<const double> values, double confidence) {
   return (interval.high - interval.low) / (2 * median(values));
 }
 
-std::vector<std::size_t> outliers(std::span<const double> values) {
-  const double middle = median(values);
-  std::vector<double> distance;
-  for (double v : values) distance.push_back(std::abs(v - middle));
-  // The factor 1.4826 makes the median absolute deviation of normal noise equal to its standard deviation.
-  const double limit = 5 * 1.4826 * median(distance);
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (limit > 0 && distance[i] > limit) result.push_back(i);
-  return result;
-}
-
 Metric median_metric(std::span<const double> values, const std::string& unit) {
   const Interval interval = median_interval(values);
   return {median(values), unit, "", interval.low, interval.high};

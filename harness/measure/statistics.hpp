@@ -62,10 +62,6 @@ bool drifts(const Drift& drift);
 /// Returns half the width of median_interval, divided by the median.
 double relative_half_width(std::span<const double> values, double confidence = 0.95);
 
-/// Returns the indices of values farther than 5 * 1.4826 median absolute deviations from the median.
-/// Outliers are reported but never removed.
-std::vector<std::size_t> outliers(std::span<const double> values);
-
 /// Returns the median of `values` with its 95% interval (median_interval). There is one value per round of
 /// measurements. Needs at least one value.
 Metric median_metric(std::span<const double> values, const std::string& unit);

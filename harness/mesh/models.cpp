@@ -1,13 +1,10 @@
 #include "harness/mesh/models.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "harness/base/toml_file.hpp"
 #include "harness/data_folder.hpp"

@@ -36,14 +36,6 @@ std::vector<std::string> metric_columns(const Table& table, std::vector<std::str
   return names;
 }
 
-/// Returns those of `names` that are columns of the table.
-std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
-  std::vector<std::string> result;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(result),
-               [&](const auto& name) { return column_of(table, name) >= 0; });
-  return result;
-}
-
 /// For each case, divides the frame time of every variant by the frame time of the fastest variant in this
 /// case. Returns the geometric mean of these ratios over the cases, for each variant.
 std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {

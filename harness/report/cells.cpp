@@ -11,10 +11,40 @@
 #include "harness/error.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/precision.hpp"
-#include "harness/report/cell_metrics.hpp"
 
 namespace pelage {
 namespace {
+
+/// Combines the values of one metric from separate processes. If all values are equal (for example counts, or
+/// numbers printed in a paper), or if a value is not finite, returns the first metric unchanged. Otherwise
+/// returns the median of the values with limits. With three or more processes, the limits are the 95%
+/// interval of the mean over the processes (mean_interval()). With two processes, the limits are the smaller
+/// one of the two lower limits and the larger one of the two upper limits. If one of the two processes has no
+/// limits, the result has no limits. Needs at least one value.
+Metric combined_metric(std::span<const Metric> values) {
+  Metric result = values.front();
+  std::vector<double> numbers;
+  numbers.reserve(values.size());
+  for (const Metric& metric : values) numbers.push_back(metric.value);
+  const bool equal = std::all_of(numbers.begin(), numbers.end(), [&](double v) { return v == numbers[0]; });
+  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); });
+  if (equal || !finite) return result;
+  result.value = median(numbers);
+  if (has_mean_interval(numbers.size())) {
+    const Interval interval = mean_interval(numbers);
+    result.low = interval.low;
+    result.high = interval.high;
+    return result;
+  }
+  result.low = result.high = {};
+  const auto limited = [](const Metric& metric) { return metric.low && metric.high; };
+  if (!std::all_of(values.begin(), values.end(), limited)) return result;
+  for (const Metric& metric : values) {
+    result.low = std::min(result.low.value_or(*metric.low), *metric.low);
+    result.high = std::max(result.high.value_or(*metric.high), *metric.high);
+  }
+  return result;
+}
 
 Cell cell_of(const FoundRow& found) {
   const Row& row = found.row;

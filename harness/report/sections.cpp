@@ -110,6 +110,22 @@ std::string title_of(const std::vector<Cell>& cells) {
   return found && !found->title.empty() ? found->title : cells.front().experiment;
 }
 
+Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
+                   const std::string& stem, const Sources& sources) {
+  Section section{table_of(cells, columns), {}};
+  section.table.title = title_of(cells);
+  section.table.subtitle = subtitle_of(cells, sources.several_hosts);
+  section.table.stem = stem;
+  return section;
+}
+
+std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(result),
+               [&](const auto& name) { return column_of(table, name) >= 0; });
+  return result;
+}
+
 void add_footnotes(Table& table, const ModelNote& note) {
   const int model = column_of(table, "model");
   if (model < 0 || !note) return;

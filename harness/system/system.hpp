@@ -1,6 +1,6 @@
 // A system is a way to model fur, such as shells or strands. A backend computes and draws the frames of a
 // system, for instance on an OpenCL device, with OpenGL, or as the reference in double precision. The
-// commands render, animate, run, check and roofline and the program pelage-bench use systems and backends
+// commands render, animate, run, check and profile and the program pelage-bench use systems and backends
 // only through this interface. harness/system/table.cpp lists all of them.
 #pragma once
 #include <any>
@@ -49,8 +49,6 @@ struct BackendOptions {
 /// The amount of work in a frame.
 struct BackendWork {
   double covered = 0, shaded = 0, blended = 0;  ///< numbers of fragments
-  /// Floating-point operations by phase and kernel. Kernels whose operations are not counted are absent.
-  std::map<std::pair<std::string, std::string>, double> operations;
 };
 
 /// What a row of results says about a backend.

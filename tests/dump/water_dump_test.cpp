@@ -4,17 +4,14 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 
 #include "harness/dump/dump.hpp"
 #include "harness/prepare/water.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<float> floats(hid_t file, const char* name) {
   const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
@@ -43,7 +40,6 @@ TEST(WaterDump, HoldsTheWetnessOfThePicture) {
   const std::vector<float> arrival = floats(file, "droplet/arrival"), rho = floats(file, "droplet/rho"),
                            soaked = floats(file, "droplet/wetness");
   H5Fclose(file);
-  fs::remove_all(folder);
   ASSERT_EQ(rho.size(), 8u);
   const double time = picture_time(scene.dynamics, frames);
   ASSERT_NEAR(time, .05, 1e-6);

@@ -5,6 +5,7 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -31,12 +32,7 @@ struct SceneFile : ::testing::Test {
     return scene_of(e, cases_of(e, preset_of(e, "quick"), overrides).front());
   }
   std::string refusal(const std::string& keys, const std::string& file = "../s/my.toml") const {
-    try {
-      first(read(keys, file));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return test::refusal([&] { first(read(keys, file)); }, "");
   }
   test::Folder folder;
 };

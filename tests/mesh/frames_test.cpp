@@ -11,6 +11,7 @@
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
 #include "tests/mesh/temp_folder.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -48,13 +49,10 @@ glm::dvec3 bent(glm::dvec3 p, int frame) {
 }
 
 std::string refusal(const TempFolder& folder, const std::string& first, int count) {
-  try {
-    read_mesh_frames(*load_model((folder.path() / first).string(), fresh()), folder.path() / first, count,
+  return test::refusal([&] {
+    read_mesh_frames(*load_model((folder.path / first).string(), fresh()), folder.path / first, count,
                      glm::dvec3(0));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  });
 }
 
 TEST(MeshFrames, FilesCountUp) {
@@ -72,8 +70,8 @@ TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
     folder.write(fmt::format("ring{}.obj", frame), torus([&](glm::dvec3 p) { return bent(p, frame); }));
   MeshOptions options = fresh();
   options.rotate = {20, 40, -70};
-  const auto mesh = load_model((folder.path() / "ring0.obj").string(), options);
-  const auto frames = read_mesh_frames(*mesh, folder.path() / "ring0.obj", 3, glm::dvec3(options.rotate));
+  const auto mesh = load_model((folder.path / "ring0.obj").string(), options);
+  const auto frames = read_mesh_frames(*mesh, folder.path / "ring0.obj", 3, glm::dvec3(options.rotate));
   ASSERT_EQ(frames.size(), 3u);
   std::vector<glm::vec3> rest(mesh->welded);
   for (std::size_t v = 0; v < mesh->position.size(); ++v) rest[mesh->weld[v]] = mesh->position[v];

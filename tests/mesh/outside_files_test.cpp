@@ -7,6 +7,7 @@
 #include "harness/error.hpp"
 #include "harness/mesh/gltf_files.hpp"
 #include "tests/mesh/temp_folder.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -33,19 +34,14 @@ std::string gltf(const std::string& uri) {
 }
 
 std::string refusal(const std::string& file) {
-  try {
-    load_model(file, fresh());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { load_model(file, fresh()); });
 }
 
 TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
   const TempFolder folder;
   folder.write("a b.bin", buffer(1));
   EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf("a%20b.bin"))),
-            std::vector<fs::path>{folder.path() / "a b.bin"});
+            std::vector<fs::path>{folder.path / "a b.bin"});
   EXPECT_TRUE(
       detail::gltf_files(folder.write("b.gltf", gltf("data:application/octet-stream;base64,AAAA"))).empty());
   EXPECT_TRUE(detail::gltf_files(folder.write("c.gltf", "no JSON")).empty());
@@ -58,9 +54,9 @@ TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
 
 TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
   const TempFolder folder;
-  fs::create_directory(folder.path() / "inner");
+  fs::create_directory(folder.path / "inner");
   folder.write("outside.bin", buffer(1));
-  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((folder.path / "pipe").c_str(), 0600), 0);
   for (const char* uri :
        {"/etc/passwd", "../outside.bin", "x/../../outside.bin", "%2e%2e/outside.bin", "file:///etc"}) {
     const std::string text = refusal(folder.write("inner/a.gltf", gltf(uri)));
@@ -77,7 +73,7 @@ TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
 // After a buffer file has changed, the cache must not return the old mesh.
 TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
   const TempFolder folder;
-  ::setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+  ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   folder.write("a.bin", buffer(1));
   const std::string file = folder.write("a.gltf", gltf("a.bin"));
   const std::string before = load_model(file)->hash;

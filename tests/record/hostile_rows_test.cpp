@@ -7,6 +7,7 @@
 
 #include "harness/record/row.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -25,12 +26,7 @@ std::string changed(const std::function<void(Json&)>& change) {
 }
 
 std::string refusal(const std::string& line) {
-  try {
-    row_from_line(line);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { row_from_line(line); });
 }
 
 TEST(HostileRows, AnUnchangedRowIsAccepted) {

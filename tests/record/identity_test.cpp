@@ -9,6 +9,7 @@
 #include "harness/record/journal.hpp"
 #include "harness/record/results_folder.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -20,12 +21,7 @@ using test::write_text;
 
 template <class F>
 std::string refusal(F&& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { call(); }, "");
 }
 
 TEST(Identity, DifferencesNameEveryPartOnce) {

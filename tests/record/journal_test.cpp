@@ -12,6 +12,7 @@
 
 #include "harness/error.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -23,12 +24,7 @@ using test::text_of;
 using test::write_text;
 
 std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { action(); }, "");
 }
 
 TEST(RowLine, ComesBackAsItWent) {

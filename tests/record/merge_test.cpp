@@ -12,6 +12,7 @@
 #include "harness/error.hpp"
 #include "harness/record/journal.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -65,12 +66,7 @@ struct Inputs {
     return plan_merge(read_results(places), apart);
   }
   std::string refusal(const std::vector<std::string>& names) const {
-    try {
-      plan(names);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return test::refusal([&] { plan(names); }, "");
   }
   fs::path out() const { return folder.path / "out"; }
 };

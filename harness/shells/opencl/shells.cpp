@@ -7,7 +7,6 @@
 #include "harness/shells/opencl/raster_stage.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/opencl/spring_stage.hpp"
-#include "harness/shells/opencl/work.hpp"
 
 namespace pelage {
 
@@ -124,11 +123,6 @@ std::uint64_t Shells::count() {
 }
 Tally Shells::tally(int every) {
   return state_->raster.tally(state_->queue, every);
-}
-std::map<std::string, double> Shells::operations(const Tally& tally, double wet_share) const {
-  const State& s = *state_;
-  return shells::frame_operations(s.raster.params(), shells::simulate_params(s.input->scene, s.geometry),
-                                  s.geometry, tally, wet_share);
 }
 void Shells::refine() {
   state_->raster.refine(state_->queue);

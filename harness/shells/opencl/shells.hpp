@@ -92,9 +92,6 @@ class Shells {
   /// counts by `every`. With every = 1 the counts are exact, but slow to compute. With every = 0 the sample
   /// has about 8192 pixels, and the relative error of the counts is about 1%.
   Tally tally(int every = 0);
-  /// Returns the number of floating-point operations of each kernel in the last frame, by kernel name.
-  /// `tally` has the frame's fragment counts. `wet_share` is the wet fraction of the surface, 0 to 1.
-  std::map<std::string, double> operations(const Tally& tally, double wet_share) const;
   std::uint64_t count();    ///< number of covered fragments of the last frame in all layers
   double build_ms() const;  ///< build time of all kernels, ms
   /// What a new wetness mask costs, wall times in ms. 0 without droplets.

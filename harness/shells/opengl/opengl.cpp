@@ -78,8 +78,7 @@ struct OpenGl::State {
   std::vector<glm::vec4> next_mask;  ///< the mask that frame() uploads; empty: the mask has not changed
   double build_ms = 0;
   Program skin, fur;
-  std::vector<Object> fur_textures;
-  Object coat, mask, density, turns, field;
+  Object strands, coat, mask, density, turns, field;
   Object fixed_buffer, bent_buffer, index_buffer, layer_buffer, arrays;
   Object away_buffer, towards_buffer;  ///< elements of the triangles that face away and of the others
   Target target;
@@ -90,10 +89,10 @@ struct OpenGl::State {
       : input(std::move(from)),
         options(how),
         changes(water_changes(input->scene.wetness, input->droplets)),
-        vertices(checked(*input, wetness), wetness, options.vertices == "corners"),
+        vertices(checked(*input, wetness), wetness),
         bent(vertices.bent(input->strands.anchor)),
         layers(layer_table(input->scene)),
-        fur_textures(rivals::fur_textures(input->fur, options)),
+        strands(fur_texture(input->fur, options)),
         coat(coat_texture(input->coat, options)),
         mask(mask_texture(wetness, input->scene.wetness.size)),
         density(density_texture(input->style.density)),
@@ -118,10 +117,9 @@ struct OpenGl::State {
     const auto begin = Clock::now();
     const std::vector<Constant> constants = scene_constants(*input);
     const std::string defines = scene_defines(*input, options, wet);
-    const bool baked = options.constants == "baked";
-    skin = scene_program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants, baked);
-    fur = scene_program("shell.vert", "fur.frag", defines, constants, baked);
-    if (options.triangles == "seen") seen.emplace(defines, constants, baked);
+    skin = scene_program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants);
+    fur = scene_program("shell.vert", "fur.frag", defines, constants);
+    if (options.triangles == "seen") seen.emplace(defines, constants);
     build_ms = ms_since(begin);
     set_colliders(fur.id(), *input, 0);
   }
@@ -153,7 +151,7 @@ struct OpenGl::State {
     glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glBindVertexArray(arrays.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, layer_buffer.id());
-    glBindTextureUnit(0, fur_textures.front().id());
+    glBindTextureUnit(0, strands.id());
     glBindTextureUnit(1, coat.id());
     glBindTextureUnit(2, mask.id());
     glBindTextureUnit(3, density.id());
@@ -172,10 +170,7 @@ struct OpenGl::State {
 
   void draw_triangles(GLsizei instances) const {
     const auto corners = GLsizei(vertices.index().size());
-    if (options.vertices == "corners")
-      glDrawArraysInstanced(GL_TRIANGLES, 0, corners, instances);
-    else
-      glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, instances);
+    glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, instances);
   }
 
   /// Uploads the bent vertices and a changed mask.
@@ -254,10 +249,7 @@ struct OpenGl::State {
     fur.use();
   }
 
-  void set_layer(std::size_t n) const {
-    if (options.fur == "slices") glBindTextureUnit(0, fur_textures[n].id());
-    glUniform4fv(fur.place("layer"), 3, &layers[3 * n].x);
-  }
+  void set_layer(std::size_t n) const { glUniform4fv(fur.place("layer"), 3, &layers[3 * n].x); }
 
   /// Draws the triangles of `draw(instances)` in all layers.
   template <class Draw>

@@ -93,8 +93,4 @@ SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_
   return some;
 }
 
-std::vector<glm::dvec3> reference_sticks(const FrameInput& input, int frames) {
-  return some_reference_sticks(input, frames, std::numeric_limits<std::size_t>::max()).offset;
-}
-
 }  // namespace pelage::springs

@@ -62,8 +62,6 @@ class Strands {
   std::vector<DrawnStrand> curves();
   /// Returns the list of the strands that the last picture shows, from front to back.
   std::vector<Entry> order() const;
-  /// Returns what the last frame consists of, without the fragments.
-  StrandWork work() const;
   double build_ms() const;  ///< build time of all kernels, ms
   std::vector<const cl::Program*> programs() const;
 

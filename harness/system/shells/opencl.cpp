@@ -98,13 +98,7 @@ class OnDevice : public Backend {
   }
   BackendWork work() override {
     const Tally tally = shells_->tally();
-    const auto operations =
-        shells_->operations(tally, wet_share(*input_->mesh, shells_->mask(), input_->scene.wetness.size));
-    BackendWork work{double(tally.covered), double(tally.shaded), double(tally.blended), {}};
-    for (const cl::KernelTime& k : timing_.kernels)
-      if (const auto found = operations.find(k.kernel); found != operations.end())
-        work.operations[{k.phase, k.kernel}] = found->second;
-    return work;
+    return {double(tally.covered), double(tally.shaded), double(tally.blended)};
   }
 
   std::string title() const override { return fmt::format("shells on {}", device_.info().name); }

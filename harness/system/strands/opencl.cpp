@@ -71,9 +71,7 @@ class OnDevice : public Backend {
   }
   std::size_t segments() const override { return 2 * input_->fur.keys.size(); }
   BackendWork work() override {
-    StrandWork work = strands_->work();
-    work.fragments = fragments_;
-    return {fragments_, fragments_, fragments_, frame_operations(work)};
+    return {fragments_, fragments_, fragments_};
   }
 
   std::string title() const override { return fmt::format("strands on {}", device_.info().name); }

@@ -211,10 +211,8 @@ TEST_P(Writings, GiveTheSamePicture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, Writings,
-                         testing::Values("draws=each", "vertices=corners", "draws=each,fur=slices",
-                                         "texels=float", "texels=byte", "levels=two", "target=rgba16f",
-                                         "power=pow", "constants=uniform", "draws=each,triangles=seen",
-                                         "discard=no"),
+                         testing::Values("draws=each", "texels=byte", "target=rgba16f",
+                                         "draws=each,triangles=seen", "discard=no"),
                          [](const auto& given) {
                            std::string name = given.param;
                            for (char& c : name)
