@@ -9,17 +9,17 @@
 #include <cstdio>
 #include <set>
 
-#include "bench/program.hpp"
 #include "harness/cl/device.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/cl/timer.hpp"
-#include "harness/compare/shares.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opencl/wet_stage.hpp"
+#include "harness/system/backend_parts.hpp"
+#include "harness/system/shells/backends.hpp"
 #include "harness/version/version.hpp"
 
 namespace {
@@ -36,18 +36,20 @@ struct Options {
 /// kernels' times come from their OpenCL events.
 struct Bench {
   std::shared_ptr<const FrameInput> input;
-  Shells shells;
+  std::unique_ptr<Backend> backend;
   cl::Queue queue;
   shells::WetStage wet;
-  Tally tally;
-  std::map<std::string, double> operations;
+  BackendWork work;
 
   Bench(const cl::Device& device, std::shared_ptr<const FrameInput> from, const std::string& mapping)
-      : input(std::move(from)), shells(device, input, {mapping, {}}), queue(device), wet(queue, *input) {
-    shells.advance(frames_before(input->scene.dynamics));
-    shells.frame();
-    tally = shells.tally();
-    operations = shells.operations(tally, wet_share(*input->mesh, shells.mask(), input->scene.wetness.size));
+      : input(std::move(from)),
+        backend(shells::open_opencl({.device = device, .mapping = mapping}, input->scene)),
+        queue(device),
+        wet(queue, *input) {
+    backend->load(input);
+    backend->advance(frames_before(input->scene.dynamics));
+    backend->frame();
+    work = backend->work();
   }
 };
 
@@ -70,7 +72,7 @@ bool draws(const std::string& kernel) {
 void time_kernel(benchmark::State& state, Bench& bench, const std::string& kernel) {
   std::size_t bytes = 0;
   for (auto unused : state) {
-    const cl::KernelTime time = of_kernel(bench.shells.frame(), kernel);
+    const cl::KernelTime time = of_kernel(bench.backend->frame(), kernel);
     if (time.ms <= 0) {
       state.SkipWithError("the kernel's event has no time");
       break;
@@ -82,12 +84,10 @@ void time_kernel(benchmark::State& state, Bench& bench, const std::string& kerne
     return benchmark::Counter(value, benchmark::Counter::kIsIterationInvariantRate);
   };
   state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
-  if (const auto found = bench.operations.find(kernel); found != bench.operations.end())
-    state.counters["operations"] = rate(found->second);
   if (draws(kernel)) {
-    state.counters["covered"] = rate(double(bench.tally.covered));
-    state.counters["shaded"] = rate(double(bench.tally.shaded));
-    state.counters["blended"] = rate(double(bench.tally.blended));
+    state.counters["covered"] = rate(bench.work.covered);
+    state.counters["shaded"] = rate(bench.work.shaded);
+    state.counters["blended"] = rate(bench.work.blended);
   }
 }
 
@@ -110,9 +110,9 @@ void time_mask(benchmark::State& state, Bench& bench) {
 }
 
 void time_frame(benchmark::State& state, Bench& bench) {
-  for (auto unused : state) state.SetIterationTime(bench.shells.frame().wall_ms / 1000);
+  for (auto unused : state) state.SetIterationTime(bench.backend->frame().wall_ms / 1000);
   state.counters["shaded"] =
-      benchmark::Counter(double(bench.tally.shaded), benchmark::Counter::kIsIterationInvariantRate);
+      benchmark::Counter(bench.work.shaded, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 Scene scene_of(const Options& options) {
@@ -127,7 +127,7 @@ Scene scene_of(const Options& options) {
 /// pilot frame. Otherwise Google Benchmark would increase the number of iterations until the sum of the
 /// reported times is long enough. If the device timer reports times of 0, Google Benchmark would never stop.
 void register_all(Bench& bench, const Options& options, bool timer) {
-  const cl::FrameTiming pilot = bench.shells.frame();
+  const cl::FrameTiming pilot = bench.backend->frame();
   const auto iterations = [&](double ms) {
     return std::clamp(std::int64_t(1000 * options.seconds / ms), std::int64_t(3), std::int64_t(10000));
   };
@@ -198,7 +198,7 @@ int run(int argc, char** argv) {
   benchmark::AddCustomContext("opencl_device", device.info().name);
   benchmark::AddCustomContext("opencl_platform", device.info().platform + ", driver " + device.info().driver);
   benchmark::AddCustomContext("pelage_revision", build_info().revision);
-  benchmark::AddCustomContext("kernel_hash", bench.shells.kernel_hash());
+  benchmark::AddCustomContext("kernel_hash", cl::hash_of(bench.backend->programs()));
   benchmark::AddCustomContext("scene_hash", scene_hash(scene));
   register_all(bench, options, timer.real);
   return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 2;
@@ -207,6 +207,11 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return pelage::bench::exit_code("pelage-bench", argc, argv,
-                                  [](pelage::bench::Arguments a) { return run(a.count, a.values); });
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pelage-bench: {}\n", error.what());
+    if (dynamic_cast<const pelage::InputError*>(&error)) return 2;
+    return dynamic_cast<const pelage::NoDeviceError*>(&error) ? 3 : 1;
+  }
 }

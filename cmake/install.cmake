@@ -7,14 +7,16 @@ install(DIRECTORY kernels shaders experiments examples DESTINATION ${CMAKE_INSTA
 install(DIRECTORY harness/report/plots DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage
         PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY harness/page/web/ DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage/page)
-install(FILES docs/pelage.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES README.md ARTIFACT.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN pelage.1 EXCLUDE)
 install(DIRECTORY python/pelage DESTINATION ${PELAGE_PYTHON_DIR} PATTERN __pycache__ EXCLUDE)
-# The built program writes its completion script for bash, so that the script contains exactly the options of this
-# build.
+# The built program writes its completion script for bash and the commands of its manual page, so that both contain
+# exactly the options of this build.
 install(CODE "execute_process(COMMAND \"$<TARGET_FILE:pelage>\" completion bash
-                OUTPUT_FILE \"${PROJECT_BINARY_DIR}/pelage.bash\" COMMAND_ERROR_IS_FATAL ANY)")
+                OUTPUT_FILE \"${PROJECT_BINARY_DIR}/pelage.bash\" COMMAND_ERROR_IS_FATAL ANY)
+              execute_process(COMMAND \"$<TARGET_FILE:pelage>\" manual \"${PROJECT_SOURCE_DIR}/docs/pelage.1\"
+                OUTPUT_FILE \"${PROJECT_BINARY_DIR}/pelage.1\" COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${PROJECT_BINARY_DIR}/pelage.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${PROJECT_BINARY_DIR}/pelage.bash RENAME pelage
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 
@@ -34,6 +36,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # the OpenGL baseline, the plots of reports, a font for wetness.text, pandas for the Python package, and some models. If
 # pelage needs one of these packages and does not find it, pelage prints a message.
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd" libegl1 libegl-mesa0 libgl1-mesa-dri
-       libjs-chart.js fonts-dejavu-core python3-matplotlib python3-pandas glmark2-data libcgal-demo)
+       fonts-dejavu-core python3-matplotlib python3-pandas glmark2-data libcgal-demo)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)  # pelage animate joins frames to videos with it
 include(CPack)

@@ -7,29 +7,10 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "harness/cl/program.hpp"
-#include "harness/commands/aa_test.hpp"
-#include "harness/commands/animate.hpp"
-#include "harness/commands/check.hpp"
-#include "harness/commands/claims.hpp"
-#include "harness/commands/command.hpp"
-#include "harness/commands/compare.hpp"
-#include "harness/commands/completion.hpp"
-#include "harness/commands/devices.hpp"
-#include "harness/commands/diagram.hpp"
-#include "harness/commands/export.hpp"
-#include "harness/commands/list.hpp"
-#include "harness/commands/merge.hpp"
-#include "harness/commands/mesh.hpp"
-#include "harness/commands/render.hpp"
-#include "harness/commands/report.hpp"
-#include "harness/commands/roofline.hpp"
-#include "harness/commands/run.hpp"
-#include "harness/commands/scene.hpp"
-#include "harness/commands/topology.hpp"
-#include "harness/commands/tune.hpp"
-#include "harness/commands/water.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 #include "harness/version/version.hpp"
 
@@ -96,19 +77,22 @@ int main(int argc, char** argv) {
   add_water(app, chosen);
   add_check(app, chosen);
   add_tune(app, chosen);
-  add_roofline(app, chosen);
+  add_profile(app, chosen);
   add_list(app, chosen);
   add_run(app, chosen);
   add_merge(app, chosen);
   add_export(app, chosen);
   add_compare(app, chosen);
-  add_aa_test(app, chosen);
   add_report(app, chosen);
   add_claims(app, chosen);
   add_completion(app, chosen);
+  add_manual(app, chosen);
   app.require_subcommand(0, 1);
 
   try {
+    const std::string_view word = argc > 1 ? argv[1] : "";
+    if (word == "aa-test") throw InputError("aa-test is a script now: scripts/aa_test.py of the source tree");
+    if (word == "roofline") throw InputError("roofline is now: pelage profile, which counts no operations");
     app.parse(argc, argv);
     if (!kernels.empty()) cl::set_kernel_folder(kernels);
     if (!chosen) throw InputError("give a command; `pelage --help` lists them");

@@ -29,15 +29,19 @@ FAMILIES = {
         "pixel": (r"shells/pixel\"|pixel_mapping\b|PixelMapping", ["harness/shells/opencl/pixel_mapping.cpp"]),
         "group": (r"shells/group\"|workgroup_mapping\b|WorkgroupMapping", ["harness/shells/opencl/workgroup_mapping.cpp"]),
     }, None),
-    "pipeline": (["harness/subjects/pipelines.cpp", "harness/commands/renderers.cpp"], {
-        "shells": (r"make_shells\b", ["harness/subjects/shells"]),
+    "pipeline": (["harness/subjects/pipelines.cpp", "harness/scene/pipelines.cpp", "harness/system/shells/system.cpp",
+                  "harness/system/strands/system.cpp", "harness/system/table.cpp"], {
+        "shells": (r"shells_system\b", ["harness/system/shells"]),
         "shells+fewer": (r"fewer_layers\(", ["harness/subjects/fewer_layers"]),
-        "opengl": (r"make_opengl\b", ["harness/subjects/opengl"]),
+        "opengl": (r"shells::open_opengl\b", ["harness/system/shells"]),
         "shells+opengl": (r"shells_against_opengl", []),
-        "strands": (r"make_strand_frames\b", ["harness/subjects/strands"]),
+        "strands": (r"strands_system\b", ["harness/system/strands"]),
         "strands+raycast": (r"against_raycast", ["harness/subjects/raycast_difference"]),
-        "strands+opengl": (r"make_strands_against_opengl", ["harness/subjects/strands"]),
-        "reference": (r"open_reference\b", []),
+        "strands+opengl": (r"strands_against_opengl", []),
+        "strands-opengl": (r"strands::open_opengl\b", ["harness/system/strands"]),
+        "strands-reference": (r"strands_reference\b", ["harness/system/strands"]),
+        "strands-raycast": (r"strands::open_raycast\b", ["harness/system/strands"]),
+        "reference": (r"shells_reference\b", ["harness/system/shells"]),
         "springs": (r"make_solver\b", ["harness/springs/studies/study"]),
         "springs+rivals": (r"make_solver_against_baselines", ["harness/springs/studies/study"]),
         "springs-error": (r"make_solver_error", ["harness/springs/studies/study"]),
@@ -47,9 +51,9 @@ FAMILIES = {
         "springs-shape": (r"make_solver_shape", ["harness/springs/studies/study", "harness/springs/studies/shape"]),
         "springs-turns": (r"make_solver_turns", ["harness/springs/studies/study", "harness/springs/studies/turns"]),
         "springs-jacobian": (r"make_solver_jacobian", ["harness/springs/studies/study"]),
-    # In lines that match this pattern, "springs" is not the pipeline but a metric or a file, and "strands" is a stage, a
-    # metric or a list. The lines are not counted.
-    }, r'stages|IsMember|"strands"\);|"strands", check|"strands", "strands"|metrics\["strands"\]|metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
+    # In lines that match this pattern, "springs" is not the pipeline but a metric or a file, "strands" is a stage, a metric
+    # or a list, and "opengl" is a phase or a key. The lines are not counted.
+    }, r'phase_ms.find\("opengl"\)|others.push_back\(\{"opengl"|opengl_key|stages|IsMember|"strands"\);|"strands", check|"strands", "strands"|metrics\["strands"\]|metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
     "solver": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {
         "explicit-euler": (r"Solver::explicit_euler", []),
         "backward-euler": (r"Solver::backward_euler", []),

@@ -61,8 +61,8 @@ record rival-options rival-options
 record overheads overheads --repeat 3
 record readings readings --preset paper
 record depth readings --filter depth
-part roofline "$PELAGE" roofline -o "$runs/roofline"
-part roofline-strands "$PELAGE" roofline demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/roofline-strands"
+part profile "$PELAGE" profile -o "$runs/profile"
+part profile-strands "$PELAGE" profile demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/profile-strands"
 
 rm -rf results/wetfur2010-table1
 cp -r "$runs/wet/wetfur2010-table1" results/
@@ -74,8 +74,8 @@ scripts/record_report.sh results/tables/effects "$runs"/{overheads,readings,dept
 scripts/record_report.sh results/tables/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"
 scripts/record_report.sh results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
-cp "$runs"/roofline/roofline.{csv,svg,pdf} results/tables/roofline/
-for end in csv svg pdf; do cp "$runs/roofline-strands/roofline.$end" "results/tables/roofline/strands.$end"; done
+for end in csv svg pdf; do cp "$runs/profile/profile.$end" "results/tables/profile/shells.$end"; done
+for end in csv svg pdf; do cp "$runs/profile-strands/profile.$end" "results/tables/profile/strands.$end"; done
 verdicts=$("$PELAGE" claims results --markdown)
 head=$(sed '/^| claim /,$d' results/claims.md)
 printf '%s\n\n%s\n' "$head" "$verdicts" >results/claims.md

@@ -226,12 +226,12 @@ def effects():
     yield "Effects", (
         "Frame time with an effect / frame time of plain shells at 800x600 (experiment overheads)."), markdown(
         ["effect"] + [f"{model}, {layers} layers" for model, layers in SCENES],
-        [[kind] + [interval(rows[kind, model, layers][0], "baseline_ratio") for model, layers in SCENES] for kind in kinds])
+        [[kind] + [interval(rows[kind, model, layers][0], "frame_over_baseline") for model, layers in SCENES] for kind in kinds])
     yield "Readings", (
         "Frame time with another reading of the papers / frame time with the default, and the two pictures "
         "compared (experiment readings)."), markdown(
         ["reading", "time", "PSNR (dB)", "SSIM"],
-        [[reading(row["switch"]), interval(row, "baseline_ratio"), f"{row['baseline_psnr']:.1f}", f"{row['baseline_ssim']:.3f}"]
+        [[reading(row["switch"]), interval(row, "frame_over_baseline"), f"{row['baseline_psnr']:.1f}", f"{row['baseline_ssim']:.3f}"]
          for row in table("effects/readings.csv") if row["with"] == "default" and row["switch"] != "default"])
 
 
@@ -240,16 +240,15 @@ def scaling():
     yield "Layers and scaling", (
         "Frame time with 64 layers / frame time with fewer, drawn in turns (experiment layers), and the model "
         "that `pelage report` fits to the experiment scaling."), markdown(
-        ["divisor", "ratio"], [["32 layers", span((row["half_ratio"] for row in rows), ".2f")],
-                               ["16 layers", span((row["quarter_ratio"] for row in rows), ".2f")]])
+        ["divisor", "ratio"], [["32 layers", span((row["frame_over_half"] for row in rows), ".2f")],
+                               ["16 layers", span((row["frame_over_quarter"] for row in rows), ".2f")]])
     text = (ROOT / "results/tables/scaling/scaling.txt").read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if re.search(r"^(  per|\d+ cases|ms =|Most memory)", line)]
     yield None, "", "```\n" + "\n".join(lines) + "\n```\n"
-    shares = by((row for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells"), "case")
+    shares = by((row for row in table("profile/shells.csv") if row["kernel"] == "tile_shells"), "case")
     yield "The kernel `tile_shells`", (
-        "Share of the frame time, and rate of operations / roof of the device (`pelage roofline`)."), markdown(
-        ["case", "share", "of roof"], [[case, f"{100 * row['ms'] / row['frame_ms']:.0f}%", f"{100 * row['share_of_roof']:.0f}%"]
-                                       for (case,), [row] in shares.items()])
+        "Share of the frame time (`pelage profile`)."), markdown(
+        ["case", "share"], [[case, f"{100 * row['ms'] / row['frame_ms']:.0f}%"] for (case,), [row] in shares.items()])
 
 
 def strands():
@@ -269,7 +268,7 @@ def trials():
     verdicts = by(table("aa-test/trials.csv"), "side", "verdict")
     sides = {side: sum(len(rows) for (s, _), rows in verdicts.items() if s == side) for side in ("equal", "slower")}
     wrong = sum(len(verdicts["equal", verdict]) for verdict in ("faster", "slower"))
-    yield "Verdicts of `pelage compare`", "What `pelage aa-test` counted.", markdown(
+    yield "Verdicts of `pelage compare`", "What `scripts/aa_test.py` counted.", markdown(
         ["sides", "comparisons", "called different"],
         [["equal", sides["equal"], wrong], ["5% more work", sides["slower"], len(verdicts["slower", "slower"])]])
 

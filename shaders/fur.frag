@@ -30,21 +30,12 @@ layout(location = 0) out vec4 colour;
 
 #if defined(FUR_ARRAY)
 #define FUR_AT(p) vec3(p, look.w)
-#elif defined(FUR_VOLUME)
-#define FUR_AT(p) vec3(p, (look.w + 0.5) / float(LAYERS))
 #else
-#define FUR_AT(p) p
+#define FUR_AT(p) vec3(p, (look.w + 0.5) / float(LAYERS))
 #endif
 
 vec2 fur_texel(vec2 p, float level) {
-#ifdef TWO_LEVELS
-  // The shader itself blends two mip levels, because drivers may round the weights of the two levels.
-  float fine = clamp(level, 0.0, float(FUR_LEVELS - 1));
-  float base = floor(fine);
-  return mix(textureLod(fur, FUR_AT(p), base).rg, textureLod(fur, FUR_AT(p), base + 1.0).rg, fine - base);
-#else
   return textureLod(fur, FUR_AT(p), level).rg;
-#endif
 }
 
 // Returns x^exponent for x >= 0. Without the wet model, `exponent` is always the constant EXPONENT.
@@ -228,6 +219,9 @@ void main() {
   // LEVEL is the part of this sum that is constant in a picture. gl_FragCoord.w is 1/w.
   float level = LEVEL - log2(gl_FragCoord.w / stretch * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
+#ifdef FRAGMENT_CORRECTION
+  texel.r = 1.0 - pow(max(1.0 - texel.r, 1e-30), COVERAGE_POWER);
+#endif
 #if defined(CLUMPS) && defined(CONSISTENT_CELLS)
   if (here.w > 0.0) {
     float per_footprint = stretch / exp2(level);

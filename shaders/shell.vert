@@ -56,12 +56,10 @@ void main() {
 #endif
   vec4 at = vec4(p, 1.0);
   vec3 eye = vec3(dot(CAMERA_X, at), dot(CAMERA_Y, at), dot(CAMERA_W, at));
-#ifdef SNAP
   // Rounds the screen position to a multiple of 1/256 pixel, measured from the picture's centre. Drivers round
   // positions in the same way to find the covered pixels, but interpolate attributes from unrounded positions. After
   // this rounding, coverage and interpolation use the same positions.
   if (eye.z >= NEAR) eye.xy = roundEven(eye.xy / eye.z * GRID) / GRID * eye.z;
-#endif
   // z is the constant NEAR. After the division by w (eye.z), z is NEAR / w, so the depth test compares 1/w. The y axis
   // of the picture points down, because the top row of pixels is stored first.
   gl_Position = vec4(eye.xy, NEAR, eye.z);

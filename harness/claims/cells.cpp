@@ -61,13 +61,6 @@ std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
 
 }  // namespace
 
-const std::vector<double>& times_of(const Row& row, const std::string& phase) {
-  static const std::vector<double> none;
-  const auto found = row.samples.find(phase);
-  if (found == row.samples.end()) return none;
-  return found->second.wall_ms.empty() ? found->second.event_ms : found->second.wall_ms;
-}
-
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
   Cells result;
   std::map<std::tuple<std::map<std::string, std::string>, std::string>, std::size_t> known;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/claims/claim.hpp"
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/results_folder.hpp"
 
 namespace pelage::claims {
 
@@ -37,8 +37,5 @@ struct Cells {
 /// Returns the cells of the claim in the order of the rows. All `rows` must be from one device and host. All
 /// rows of a case must have been measured with the same inputs (input_sets()).
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows);
-
-/// Returns the times of a phase in ms: wall times, or event times if there are no wall times.
-const std::vector<double>& times_of(const Row& row, const std::string& phase);
 
 }  // namespace pelage::claims

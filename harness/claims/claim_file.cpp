@@ -2,22 +2,20 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
-#include "harness/toml_text.hpp"
+#include "harness/record/ratios.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -161,6 +159,8 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   read_rows(*rows, claim);
   if (!effect) table.refuse("effect", "effect = { name = \"level\" } is missing");
   read_effect(*effect, claim);
+  for (std::string* name : {&claim.metric, &claim.per, &claim.along})
+    *name = present_metric(*name, file.string());
   if (!table.has("relation")) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
   if (table.holds_text("relation"))
     read_direction(table.text("relation"), table, claim);
@@ -168,20 +168,6 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
     read_relation(*relation, claim);
   table.finish();
   return claim;
-}
-
-toml::table parsed(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file))
-    throw InputError(fmt::format("{}: the file of claims cannot be read", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  check_toml_text(text, file.string());
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
-  }
 }
 
 void read_list(const fs::path& file, const toml::table& source, ClaimFile& result,
@@ -212,7 +198,7 @@ void check_keys(const fs::path& file, const toml::table& source, const std::vect
 }  // namespace
 
 ClaimFile read_claims(const fs::path& file) {
-  const toml::table source = parsed(file);
+  const toml::table source = read_toml(file);
   ClaimFile result;
   result.file = file;
   check_keys(file, source, {"[[claim]]", "include", "process_spread", "separate_processes"});
@@ -229,7 +215,7 @@ ClaimFile read_claims(const fs::path& file) {
                                  file.string(), include.source().begin.line));
   for (const toml::node& name : *names) {
     const fs::path other = file.parent_path() / *name.value<std::string>();
-    const toml::table more = parsed(other);
+    const toml::table more = read_toml(other);
     check_keys(other, more, {});
     read_list(other, more, result, ids);
   }

@@ -1,22 +1,13 @@
 #include "harness/claims/drawing.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "harness/base/median.hpp"
 #include "harness/hash.hpp"
 
 namespace pelage::claims {
 namespace {
-
-/// Returns the median, and changes the order of the values. It selects the middle values instead of sorting,
-/// because it is called millions of times.
-double median_of(std::vector<double>& values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*std::max_element(values.begin(), middle) + *middle) / 2;
-}
 
 std::uint64_t seed_of(const Cell& cell) {
   Hash hash;
@@ -60,10 +51,10 @@ double Drawing::factor() {
 }
 
 Value Drawing::value_of_pools() {
-  if (claim_.quantity == Quantity::metric) return {median_of(metrics_), 0};
-  const double time = median_of(times_), per = processes_.front().per;
-  if (claim_.effect == Effect::ratio_by_phase) return {median_of(phase_times_), time};
-  if (claim_.quantity == Quantity::phase_share) return {median_of(phase_times_) / time / per, 0};
+  if (claim_.quantity == Quantity::metric) return {median_reordering(metrics_), 0};
+  const double time = median_reordering(times_), per = processes_.front().per;
+  if (claim_.effect == Effect::ratio_by_phase) return {median_reordering(phase_times_), time};
+  if (claim_.quantity == Quantity::phase_share) return {median_reordering(phase_times_) / time / per, 0};
   return {(claim_.quantity == Quantity::frame_rate ? 1000 / time : time) / per, 0};
 }
 

@@ -2,15 +2,14 @@
 #include "harness/claims/effects.hpp"
 
 #include <fmt/format.h>
-#include <re2/re2.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <set>
 
+#include "harness/base/numbers.hpp"
 #include "harness/measure/statistics.hpp"
 
 namespace pelage::claims {
@@ -18,16 +17,6 @@ namespace {
 
 using Axes = std::map<std::string, std::string>;
 using Group = std::vector<std::size_t>;  // indices of cells
-
-/// Converts an axis value to a number: "64" to 64, and a picture size such as "800x600" to its number of
-/// pixels. Returns nothing for other texts.
-std::optional<double> number_of(const std::string& text) {
-  double a = 0, b = 0;
-  if (RE2::FullMatch(text, "([0-9]{1,6})x([0-9]{1,6})", &a, &b)) return a * b;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), a);
-  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(a)) return {};
-  return a;
-}
 
 /// Returns the cell's axis value as a number. If the claim has a metric `along`, returns the value of this
 /// metric instead. Returns nothing if the cell has no such number or if the number is not above 0.

@@ -6,7 +6,7 @@
 
 #include "harness/claims/claim.hpp"
 #include "harness/claims/verdict.hpp"
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/results_folder.hpp"
 
 namespace pelage::claims {
 

@@ -1,5 +1,3 @@
-#include "harness/commands/animate.hpp"
-
 #include <fmt/format.h>
 
 #include <chrono>
@@ -8,6 +6,7 @@
 #include "harness/animation/frame_times.hpp"
 #include "harness/animation/video.hpp"
 #include "harness/cl/program.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/commands/progress.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
@@ -52,7 +51,7 @@ std::string hash_of_kernels() {
 }
 
 FrameOrigin origin_of(const AnimateOptions& options, const Scene& scene, const Mesh& mesh,
-                      const SceneRenderer& renderer) {
+                      const Renderer& renderer) {
   const BuildInfo& build = build_info();
   const RendererOptions& r = options.renderer;
   // picture_scene() ignores the scene's own time. The other entries explain a difference better than the hash
@@ -67,7 +66,7 @@ FrameOrigin origin_of(const AnimateOptions& options, const Scene& scene, const M
           {"size", fmt::format("{}x{}", scene.image.width, scene.image.height)},
           {"frames per second", fmt::format("{}", options.times.fps)},
           {"time of the first frame", fmt::format("{} s", options.times.from)},
-          {"pipeline", r.pipeline},
+          {"pipeline", pipeline_of(r, scene)},
           {"mapping", r.mapping.empty() ? "default" : r.mapping},
           {"options of OpenGL", r.opengl.empty() ? "default" : r.opengl},
           {"bits of the reference", fmt::format("{}", r.bits)},
@@ -77,7 +76,7 @@ FrameOrigin origin_of(const AnimateOptions& options, const Scene& scene, const M
 }
 
 /// Draws the frames that the folder does not hold. Returns their number.
-int draw_frames(FrameFolder& folder, const Scene& scene, const FrameTimes& times, SceneRenderer& renderer,
+int draw_frames(FrameFolder& folder, const Scene& scene, const FrameTimes& times, Renderer& renderer,
                 const std::shared_ptr<const Mesh>& mesh) {
   Progress progress{std::size_t(times.count)};
   int drawn = 0;
@@ -89,7 +88,7 @@ int draw_frames(FrameFolder& folder, const Scene& scene, const FrameTimes& times
     const auto from = std::chrono::steady_clock::now();
     const float seconds = times.at(frame);
     progress.start(fmt::format("{}, {:.3f} s", frame_name(frame), seconds));
-    const Picture picture = renderer.draw(picture_scene(scene, seconds), mesh).image;
+    const Picture picture = renderer.draw(picture_scene(scene, seconds), mesh);
     {
       const HoldInterrupt hold;  // defers interrupts until the frame is written and recorded
       folder.write(frame, picture);
@@ -117,9 +116,9 @@ int animate(const AnimateOptions& options) {
   end_on_interrupt((fs::path(options.output) / frame_record).string(),
                    "finished frames are kept; continue with --resume");
   // The device is opened before the mesh is prepared, so that an invalid name is reported at once.
-  const std::unique_ptr<SceneRenderer> renderer =
-      open_renderer(options.renderer, picture_scene(scene, times.at(0)));
-  const std::shared_ptr<const Mesh> mesh = load_scene_mesh(scene);
+  const std::unique_ptr<Renderer> renderer =
+      open_renderer(options.renderer, scene, picture_scene(scene, times.at(0)));
+  const std::shared_ptr<const Mesh> mesh = load_drawn_mesh(options.renderer, scene);
   FrameFolder folder(options.output, origin_of(options, scene, *mesh, *renderer), options.resume);
   const int drawn = draw_frames(folder, scene, times, *renderer, mesh);
   write_videos(options, times);

@@ -1,6 +1,4 @@
 // pelage claims: reads recorded results and prints whether they support the claims of papers or of the user.
-#include "harness/commands/claims.hpp"
-
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -10,6 +8,7 @@
 #include "harness/atomic_file.hpp"
 #include "harness/claims/claim_file.hpp"
 #include "harness/claims/print.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/report/input_sets.hpp"
 #include "harness/table/render.hpp"
 

@@ -1,7 +1,5 @@
 // pelage completion: prints a script with which a shell completes pelage's command line. The script and
 // --help are generated from the same option declarations, so their options always agree.
-#include "harness/commands/completion.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/commands/commands.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/scene/scene_keys.hpp"

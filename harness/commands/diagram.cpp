@@ -1,9 +1,8 @@
-#include "harness/commands/diagram.hpp"
-
 #include <fmt/format.h>
 
 #include <filesystem>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/drawn_table.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
@@ -14,6 +13,7 @@
 #include "harness/diagrams/textures.hpp"
 #include "harness/diagrams/wind_arrow.hpp"
 #include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/keyframes.hpp"
@@ -51,8 +51,9 @@ Picture slices_of(const Scene& scene, const DiagramOptions&) {
 
 Picture drawn(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, const DiagramOptions& options) {
   RendererOptions choice;
+  choice.pipeline = default_pipeline;
   choice.device = options.device;
-  return open_renderer(choice, scene)->draw(scene, mesh).image;
+  return open_renderer(choice, scene, scene)->draw(scene, mesh);
 }
 
 Picture lines_of(const Scene& scene, const DiagramOptions& options) {

@@ -1,6 +1,4 @@
 // pelage export: reads journal files of recorded results and writes them as CSV.
-#include "harness/commands/export.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include <fstream>
 
 #include "harness/atomic_file.hpp"
-#include "harness/journal/all_results.hpp"
+#include "harness/commands/commands.hpp"
+#include "harness/record/all_results.hpp"
 #include "harness/report/csv.hpp"
 
 namespace pelage {

@@ -1,11 +1,10 @@
 // pelage list: lists the experiments and their presets, or the cases of one experiment.
-#include "harness/commands/list.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/progress.hpp"
 #include "harness/experiment/experiment.hpp"
 

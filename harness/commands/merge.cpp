@@ -1,15 +1,15 @@
 // pelage merge: writes the rows of several folders of results into one folder, and prints which shards and
 // cases are missing. A shard is a part of a run that a separate process measures.
-#include "harness/commands/merge.hpp"
+#include "harness/record/merge.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
-#include "harness/journal/merge.hpp"
-#include "harness/journal/shards.hpp"
+#include "harness/record/shards.hpp"
 
 namespace pelage {
 namespace {

@@ -1,10 +1,8 @@
-#include "harness/commands/render.hpp"
-
+#include "harness/commands/commands.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/dump/dump.hpp"
 #include "harness/picture/image_io.hpp"
-#include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/keyframes.hpp"
 
 namespace pelage {
@@ -23,11 +21,11 @@ int render(const RenderOptions& options) {
   const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
   // The device is opened before the mesh is prepared. Otherwise the user would learn of an invalid device
   // name only after the preparation, which may take minutes.
-  const std::unique_ptr<SceneRenderer> renderer = open_renderer(options.renderer, scene);
-  const DrawnFrame frame = renderer->draw(scene, load_scene_mesh(scene));
-  report_first_frame(*renderer, frame);
-  write_picture(options.output, frame.image);
-  if (!options.dump.empty()) frame.dump(options.dump);
+  const std::unique_ptr<Renderer> renderer = open_renderer(options.renderer, resolved, scene);
+  const Picture picture = renderer->draw(scene, load_drawn_mesh(options.renderer, scene));
+  report_first_frame(*renderer);
+  write_picture(options.output, picture);
+  if (!options.dump.empty()) renderer->dump(options.dump);
   return 0;
 }
 

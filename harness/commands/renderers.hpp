@@ -1,68 +1,40 @@
-// The pipelines with which `pelage render` and `pelage animate` draw pictures.
+// The options of `pelage render`, `pelage animate` and `pelage diagram` that choose and configure a pipeline.
 #pragma once
-#include <filesystem>
-#include <functional>
 #include <memory>
-#include <span>
 #include <string>
-#include <string_view>
 
-#include "harness/commands/command.hpp"
-#include "harness/mesh/mesh.hpp"
-#include "harness/picture/picture.hpp"
-#include "harness/scene/scene.hpp"
+#include "harness/commands/commands.hpp"
+#include "harness/system/renderer.hpp"
 
 namespace pelage {
 
-/// The options that choose and configure a pipeline.
 struct RendererOptions {
-  std::string pipeline = "shells", mapping, opengl, device;
+  std::string pipeline;  ///< "": the scene's key `pipeline`
+  std::string mapping, opengl, device;
   /// 8: the reference rounds its picture to 8 bits per channel after every layer. 32: it does not round.
   int bits = 32;
+  bool strict = false;  ///< warnings are errors
 };
 
-/// Adds the options --pipeline, --mapping, --opengl, --device and --reference-bits to the command.
+/// Adds the options --pipeline, --mapping, --opengl, --device, --reference-bits and --strict to the command.
 void add_renderer_options(CLI::App& command, RendererOptions& options);
 
-struct DrawnFrame {
-  Picture image;
-  /// Writes the dump of the frame to a file. The function reads data from the device when it is called, so
-  /// call it before the renderer draws the next picture.
-  std::function<void(const std::filesystem::path&)> dump;
-  double ms = 0;  ///< wall time of the frame; 0 if the pipeline does not time it
-};
+/// Returns the name of the pipeline that draws the scene.
+const std::string& pipeline_of(const RendererOptions& options, const Scene& scene);
 
-/// Draws pictures with one pipeline.
-class SceneRenderer {
- public:
-  virtual ~SceneRenderer() = default;
-  /// Draws the scene after dynamics.time seconds of motion from the fur at rest. The scene has no keyframes.
-  /// A renderer may keep its state and continue it in the next call. The picture does not depend on this: it
-  /// has the same bits as the picture of a new renderer.
-  virtual DrawnFrame draw(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) = 0;
-  /// Returns the names of the device and of its driver, or "" for pipelines that run on the host.
-  virtual std::string device() const { return {}; }
-};
+/// Checks the options and opens the pipeline. `shown` is the scene of the first picture; `scene` also has the
+/// keyframes. Throws InputError for an option that the pipeline does not use. Prints a warning that names the
+/// keys of the scene that the pipeline does not use. The commands call this function before they prepare the
+/// mesh, which may take minutes, so that errors are reported at once.
+std::unique_ptr<Renderer> open_renderer(const RendererOptions& options, const Scene& scene,
+                                        const Scene& shown);
 
-struct Renderer {
-  std::string_view name;  ///< value of the option --pipeline
-  std::string_view what;  ///< description of the pipeline in --help, one line
-  bool rounds;            ///< true: the pipeline accepts the option --reference-bits
-  bool has_variants;      ///< true: the pipeline accepts the option --opengl
-  /// Reads the options, opens the device and starts to build the programs for the scene. Throws InputError or
-  /// DeviceError. The commands call this function before they prepare the mesh, which may take minutes, so
-  /// that errors are reported at once.
-  std::unique_ptr<SceneRenderer> (*open)(const RendererOptions&, const Scene&);
-};
-
-std::span<const Renderer> renderers();
-
-/// Checks the options and opens the pipeline that they name. Throws InputError for an option that the
-/// pipeline does not use.
-std::unique_ptr<SceneRenderer> open_renderer(const RendererOptions& options, const Scene& scene);
+/// Returns the scene's mesh. Prints the steps of its preparation and the defects of its UV map to stderr.
+/// Throws InputError for defects if warnings are errors.
+std::shared_ptr<const Mesh> load_drawn_mesh(const RendererOptions& options, const Scene& scene);
 
 /// Prints the name of the device and the time of its first frame, which has no warm-up, unless the pipeline
-/// does not time frames.
-void report_first_frame(const SceneRenderer& renderer, const DrawnFrame& frame);
+/// runs on the host.
+void report_first_frame(const Renderer& renderer);
 
 }  // namespace pelage

@@ -1,6 +1,4 @@
 // pelage run: times the cases of an experiment on a device and writes one row of results per case.
-#include "harness/commands/run.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -11,19 +9,20 @@
 #include <random>
 #include <set>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/progress.hpp"
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/balance.hpp"
-#include "harness/journal/equal_pictures.hpp"
-#include "harness/journal/provenance.hpp"
-#include "harness/journal/results_folder.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/interrupt.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/measure/quiet.hpp"
 #include "harness/measure/runner.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/record/equal_pictures.hpp"
+#include "harness/record/results_folder.hpp"
 #include "harness/report/view_check.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"

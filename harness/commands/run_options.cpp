@@ -10,7 +10,7 @@
 
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
-#include "harness/journal/provenance.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/shells/opencl/shells.hpp"
 
 namespace pelage {

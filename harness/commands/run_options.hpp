@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/commands/command.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/experiment/experiment.hpp"
 
 namespace pelage {

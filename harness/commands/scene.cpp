@@ -1,7 +1,6 @@
-#include "harness/commands/scene.hpp"
-
 #include <fmt/format.h>
 
+#include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/scene/scene_toml.hpp"
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "harness/base/numbers.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
@@ -25,18 +26,11 @@ namespace {
 
 /// Sets the picture's width and height from a text such as "800x600". apply_set() checks their ranges.
 void set_size(Scene& scene, const std::string& size) {
-  const auto cross = size.find('x');
-  const std::string width = size.substr(0, cross);
-  const std::string height = cross == std::string::npos ? "" : size.substr(cross + 1);
-  const auto digits = [](const std::string& text) {
-    return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
-  };
-  if (!digits(width) || !digits(height)) {
+  const std::optional<Size> pixels = size_from_text(size);
+  if (!pixels)
     throw InputError(fmt::format("--size {}: give width x height in pixels, for instance 800x600", size));
-  }
-  // TOML does not allow leading zeros; std::stoi removes them.
-  apply_set(scene, fmt::format("image.width={}", std::stoi(width)), "--size");
-  apply_set(scene, fmt::format("image.height={}", std::stoi(height)), "--size");
+  apply_set(scene, fmt::format("image.width={}", pixels->width), "--size");
+  apply_set(scene, fmt::format("image.height={}", pixels->height), "--size");
 }
 
 /// Returns the path of the scene file. If `name_or_file` is not an existing file and contains no '/', it is

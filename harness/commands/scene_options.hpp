@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/commands/command.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/scene/scene.hpp"
 

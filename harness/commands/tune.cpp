@@ -1,7 +1,5 @@
 // pelage tune: finds the fastest values of the kernels' tuning axes on a device. A tuning axis is a parameter
 // of a kernel that affects only its speed, such as the width of a tile.
-#include "harness/commands/tune.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,12 +7,13 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/cl/program.hpp"
+#include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/provenance.hpp"
-#include "harness/journal/results_folder.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/record/results_folder.hpp"
 #include "harness/tuning/contenders.hpp"
 #include "harness/version/version.hpp"
 
@@ -49,7 +48,7 @@ std::vector<NamedInput> prepared(const Experiment& experiment, const std::vector
   return inputs;
 }
 
-std::string told(const Candidate& c) {
+std::string outcome_of(const Candidate& c) {
   if (!c.fault.empty()) return "failed: " + c.fault;
   return fmt::format("{:.3f} ({:.3f} to {:.3f}){}", c.ratio, c.interval.low, c.interval.high,
                      c.wins ? ", faster" : "");
@@ -126,7 +125,7 @@ int tune(const TuneOptions& options) {
     for (const NamedInput& n : inputs) scenes.push_back(tuning_scene(stages[i], n.name, device, n.input));
     const TuningSearch found =
         search_tuning(axes[i], scenes, options.rounds, [&stage = stages[i]](const Candidate& c) {
-          fmt::print("{}\t{}\t{}\n", stage, text_of(c.tuning), told(c));
+          fmt::print("{}\t{}\t{}\n", stage, text_of(c.tuning), outcome_of(c));
           std::fflush(stdout);
         });
     if (!found.fault.empty()) {
@@ -136,7 +135,7 @@ int tune(const TuneOptions& options) {
     }
     if (!found.last.tuning.empty())
       fmt::print("{}\t{}\ttime relative to the shipped values: {}{}\n", stages[i], text_of(found.last.tuning),
-                 told(found.last), found.best.empty() ? "; dropped" : "");
+                 outcome_of(found.last), found.best.empty() ? "; dropped" : "");
     fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
     store(file, stages[i], found, scenes.front().make(found.best)->kernel_hash(), device, inputs);
   }

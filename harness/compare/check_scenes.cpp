@@ -45,6 +45,7 @@ enum class StrandLook { plain, matted, twisty };
 CheckScene make_strand_scene(const std::string& model, int count, StrandLook look) {
   Scene scene;
   scene.model = model;
+  scene.pipeline = "strands";
   scene.dynamics.topology = "chains";
   scene.dynamics.gravity = {0, -4, 0};
   scene.dynamics.wind.strength = 0.01f;
@@ -72,9 +73,7 @@ CheckScene make_strand_scene(const std::string& model, int count, StrandLook loo
     layer.curvature_spread = 40;
     scene.strands.rim = {0.2f, 0.2f, 0.2f};
   }
-  CheckScene which{fmt::format("{}, {} strands, {}", model, count, name), scene};
-  which.strands = true;
-  return which;
+  return {fmt::format("{}, {} strands, {}", model, count, name), scene};
 }
 
 }  // namespace

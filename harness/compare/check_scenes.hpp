@@ -11,8 +11,7 @@ namespace pelage {
 struct CheckScene {
   std::string name;  ///< such as "torus, 16 layers, curly"
   Scene scene;
-  bool strands = false;  ///< true: the scene is drawn as single strands instead of shells
-  bool motion = true;    ///< true: compare pictures, strand tips and masks; false: only pictures
+  bool motion = true;  ///< true: compare pictures, strand tips and masks; false: only pictures
 };
 
 /// The scenes of shells come first. If `full` is false, there are four: one torus with curly fur, one with

@@ -3,7 +3,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "harness/compare/check.hpp"
+#include "harness/record/check.hpp"
 
 namespace pelage {
 

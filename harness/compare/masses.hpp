@@ -1,6 +1,6 @@
 // Compares the positions of the masses in two states of a mass-spring topology.
 #pragma once
-#include "harness/compare/check.hpp"
+#include "harness/record/check.hpp"
 #include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {

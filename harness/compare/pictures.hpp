@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/compare/check.hpp"
 #include "harness/compare/metrics.hpp"
+#include "harness/record/check.hpp"
 
 namespace pelage {
 

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "harness/compare/check.hpp"
 #include "harness/prepare/frame_input.hpp"
+#include "harness/record/check.hpp"
 
 namespace pelage {
 

@@ -134,7 +134,8 @@ StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStr
   return frame;
 }
 
-StrandFrame reference_strands(const StrandInput& input, int frames) {
+std::pair<std::vector<KeyStrand>, std::shared_ptr<const strands::SkinSurface>> reference_keys(
+    const StrandInput& input, int frames) {
   const int substeps = input.scene.dynamics.substeps;
   std::optional<strands::SkinFrames> skin;
   if (!input.mesh->frames.empty()) {
@@ -172,7 +173,12 @@ StrandFrame reference_strands(const StrandInput& input, int frames) {
     keys[i].normal = skin->frame().normal[i];
     keys[i].rest = skin->frame().rest[i];
   }
-  return reference_strands(input, keys, skin ? skin->surface() : input.skin);
+  return {std::move(keys), skin ? skin->surface() : input.skin};
+}
+
+StrandFrame reference_strands(const StrandInput& input, int frames) {
+  const auto [keys, skin] = reference_keys(input, frames);
+  return reference_strands(input, keys, skin);
 }
 
 }  // namespace pelage

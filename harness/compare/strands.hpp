@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/compare/check.hpp"
 #include "harness/compare/metrics.hpp"
+#include "harness/record/check.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage {
@@ -57,6 +57,11 @@ std::vector<strands::DrawnStrand> reference_curves(const strands::StrandInput& i
 /// null.
 StrandFrame reference_strands(const strands::StrandInput& input, const std::vector<strands::KeyStrand>& keys,
                               std::shared_ptr<const strands::SkinSurface> skin);
+
+/// Simulates `frames` frames from rest with the reference alone. Returns the key strands, and the skin of the
+/// last frame or null.
+std::pair<std::vector<strands::KeyStrand>, std::shared_ptr<const strands::SkinSurface>> reference_keys(
+    const strands::StrandInput& input, int frames);
 
 /// Computes the picture after `frames` frames from rest with the reference alone. Uses all cores; a frame of
 /// 70,000 key strands takes about 0.1 s.

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "harness/compare/check.hpp"
+#include "harness/record/check.hpp"
 
 namespace pelage {
 

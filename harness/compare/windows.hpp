@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/compare/check.hpp"
 #include "harness/compare/metrics.hpp"
 #include "harness/prepare/frame_input.hpp"
+#include "harness/record/check.hpp"
 
 namespace pelage {
 

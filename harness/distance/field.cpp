@@ -14,31 +14,7 @@
 namespace pelage {
 namespace {
 
-constexpr std::string_view title = "pelage field 1\n";
-constexpr std::uintmax_t most_kept = std::uintmax_t(64) << 20;
 constexpr int margin = 2;  // cells beyond the bounding box
-
-std::shared_ptr<const DistanceField> read(const std::filesystem::path& file) {
-  const auto bytes = read_cache_file(file);
-  const auto content = bytes ? unsealed(*bytes, title) : std::nullopt;
-  if (!content) return {};
-  Reader from(*content);
-  DistanceField f;
-  if (!from.text(f.mesh) || !from.value(f.nodes) || !from.value(f.origin) || !from.value(f.cell) ||
-      !from.list(f.distance) || !from.done())
-    return {};
-  return std::make_shared<const DistanceField>(std::move(f));
-}
-
-void write(const std::filesystem::path& file, const DistanceField& f) {
-  Writer to;
-  to.text(f.mesh);
-  to.value(f.nodes);
-  to.value(f.origin);
-  to.value(f.cell);
-  to.list(f.distance);
-  if (write_cache_file(file, to.sealed(title))) trim_cache(file.parent_path(), most_kept);
-}
 
 }  // namespace
 
@@ -64,13 +40,14 @@ DistanceField distance_field(const std::shared_ptr<const Mesh>& mesh, int cells)
 
 std::shared_ptr<const DistanceField> kept_distance_field(const std::shared_ptr<const Mesh>& mesh, int cells) {
   if (mesh->hash.empty()) return std::make_shared<const DistanceField>(distance_field(mesh, cells));
-  const std::filesystem::path file =
-      cache_folder() / "fields" /
+  const std::string name =
       fmt::format("field-{}", Hash().text(mesh->hash).number(std::uint64_t(cells)).hex());
-  if (auto field = read(file)) return field;
-  auto field = std::make_shared<const DistanceField>(distance_field(mesh, cells));
-  write(file, *field);
-  return field;
+  const auto parts = [](const auto& store, auto& f) {
+    return store(f.mesh) && store(f.nodes) && store(f.origin) && store(f.cell) && store(f.distance);
+  };
+  return std::make_shared<const DistanceField>(
+      cached<DistanceField>(cache_folder() / "fields" / name, "pelage field 1\n", std::uintmax_t(64) << 20,
+                            parts, [&] { return distance_field(mesh, cells); }));
 }
 
 double value_at(const DistanceField& field, glm::dvec3 point) {
@@ -86,20 +63,6 @@ double value_at(const DistanceField& field, glm::dvec3 point) {
   };
   const auto row = [&](int y, int z) { return glm::mix(node(0, y, z), node(1, y, z), t.x); };
   return glm::mix(glm::mix(row(0, 0), row(1, 0), t.y), glm::mix(row(0, 1), row(1, 1), t.y), t.z);
-}
-
-Penetration penetration(const ClosedSurface& surface, const std::vector<glm::vec3>& points) {
-  Penetration found;
-  found.points = points.size();
-  for (const glm::vec3& point : points) {
-    if (surface.winding(glm::dvec3(point)) <= 0) continue;
-    const double depth = -surface.distance(point);
-    ++found.inside;
-    found.mean += depth;
-    found.deepest = std::max(found.deepest, depth);
-  }
-  if (found.inside > 0) found.mean /= double(found.inside);
-  return found;
 }
 
 }  // namespace pelage

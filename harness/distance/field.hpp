@@ -33,17 +33,4 @@ std::shared_ptr<const DistanceField> kept_distance_field(const std::shared_ptr<c
 /// of the nearest point of the grid.
 double value_at(const DistanceField& field, glm::dvec3 point);
 
-/// How deep points lie inside a mesh.
-struct Penetration {
-  std::size_t points = 0;  ///< number of points
-  std::size_t inside = 0;  ///< number of points inside the mesh
-  double mean = 0;         ///< mean depth of the points inside, R
-  double deepest = 0;      ///< R
-};
-
-class ClosedSurface;
-
-/// Measures the penetration of the true mesh, not of its field.
-Penetration penetration(const ClosedSurface& surface, const std::vector<glm::vec3>& points);
-
 }  // namespace pelage

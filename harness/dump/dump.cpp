@@ -14,27 +14,32 @@ void check_dump_path(const std::filesystem::path& path) {
   require_place(path);
 }
 
-void dump_frame(const std::filesystem::path& path, const FrameInput& input, const FrameOutput& output) {
+void write_dump(const std::filesystem::path& path, const DumpedFrame& frame,
+                const std::function<void(Hdf5File&)>& arrays) {
   check_dump_path(path);
   write_atomically(path, [&](const std::filesystem::path& temporary) {
     Hdf5File file(temporary, path.string());
-    dump::write_notes(file, input.scene, *input.mesh, output.pipeline, output.frames);
-    dump::write_scene_text(file, input.scene);
-    dump::write_shape(file, *input.mesh);
-    dump::write_mesh(file, input);
-    dump::write_strands(file, input, output);
-    dump::write_wetness(file, input, output);
-    dump::write_textures(file, input);
-    dump::write_layers(file, input, output);
-    dump::write_camera(file, input.camera);
-    dump::write_style(file, input);
-    const Picture& image = output.image;
+    dump::write_notes(file, frame.scene, frame.mesh, frame.title, frame.frames);
+    dump::write_scene_text(file, frame.scene);
+    dump::write_shape(file, frame.mesh);
+    arrays(file);
+    const Picture& image = frame.picture;
     file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},
                dump::flat<float>(image.pixel), "1",
                "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the "
                "coverage of the fur elsewhere");
     file.close();
   });
+}
+
+void dump::write_shells(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
+  write_mesh(file, input);
+  write_strands(file, input, output);
+  write_wetness(file, input, output);
+  write_textures(file, input);
+  write_layers(file, input, output);
+  write_camera(file, input.camera);
+  write_style(file, input);
 }
 
 }  // namespace pelage

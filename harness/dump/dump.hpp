@@ -2,18 +2,40 @@
 // stage.
 #pragma once
 #include <filesystem>
+#include <functional>
 
 #include "harness/compare/frame_output.hpp"
+#include "harness/compare/strands.hpp"
+#include "harness/picture/hdf5_file.hpp"
 
 namespace pelage {
 
-/// Writes the datasets of docs/dump.md as HDF5, each with the attributes "units" and
-/// "description". `output` holds tips, velocities, mask and image of the frame that `input` describes. If
-/// writing fails, no partial file remains. Throws InputError if the file cannot be written.
-void dump_frame(const std::filesystem::path& path, const FrameInput& input, const FrameOutput& output);
+/// What every dump of a frame contains.
+struct DumpedFrame {
+  const Scene& scene;
+  const Mesh& mesh;
+  const Picture& picture;
+  std::string title;  ///< names the pipeline that computed the frame
+  int frames = 0;     ///< number of frames simulated from rest
+};
+
+/// Writes the datasets of docs/dump.md as HDF5, each with the attributes "units" and "description". `arrays`
+/// writes the datasets of the system that drew the frame. If writing fails, no partial file remains. Throws
+/// InputError if the file cannot be written.
+void write_dump(const std::filesystem::path& path, const DumpedFrame& frame,
+                const std::function<void(Hdf5File&)>& arrays);
 
 /// Throws InputError if `path` does not end in .h5 or .hdf5, or if its folder does not exist. Call this
 /// function before the frame is computed, so that a bad path is reported early.
 void check_dump_path(const std::filesystem::path& path);
 
+namespace dump {
+
+/// Writes the arrays of a frame of shells. `output` holds its tips, velocities and mask.
+void write_shells(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
+
+/// Writes the arrays of a picture of strands (docs/dump.md, section Strands).
+void write_strand_frame(Hdf5File& file, const strands::StrandInput& input, const StrandFrame& frame);
+
+}  // namespace dump
 }  // namespace pelage

@@ -1,13 +1,11 @@
-#include "harness/dump/strands.hpp"
+// The datasets of a picture of strands. docs/dump.md, section Strands, lists them.
 
 #include <fmt/format.h>
 
 #include <array>
 
-#include "harness/atomic_file.hpp"
 #include "harness/dump/datasets.hpp"
 #include "harness/dump/dump.hpp"
-#include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
 namespace {
@@ -36,7 +34,7 @@ void write_keys(Hdf5File& file, const std::vector<KeyStrand>& keys) {
   write("key/rest", &KeyStrand::rest, "1", "direction d at rest");
 }
 
-void write_strands(Hdf5File& file, const std::vector<KeyedStrand>& strands) {
+void write_drawn_strands(Hdf5File& file, const std::vector<KeyedStrand>& strands) {
   const std::size_t count = strands.size();
   const auto keys = column<std::array<std::uint32_t, 3>>(strands, [](const auto& s) { return s.key; });
   file.write("strand/key", {count, 3}, dump::flat<std::uint32_t>(keys), "1",
@@ -113,27 +111,13 @@ void write_skin(Hdf5File& file, const SkinSurface& skin, bool deforms) {
 
 }  // namespace
 
-void dump_strands(const std::filesystem::path& path, const StrandInput& input, const StrandFrame& frame,
-                  const std::string& pipeline, int frames) {
-  check_dump_path(path);
-  write_atomically(path, [&](const std::filesystem::path& temporary) {
-    Hdf5File file(temporary, path.string());
-    dump::write_notes(file, input.scene, *input.mesh, pipeline, frames);
-    dump::write_scene_text(file, input.scene);
-    dump::write_shape(file, *input.mesh);
-    write_keys(file, frame.keys);
-    write_strands(file, input.fur.strands);
-    write_curves(file, frame);
-    write_look(file, input);
-    if (frame.skin) write_skin(file, *frame.skin, !input.mesh->frames.empty());
-    dump::write_camera(file, input.camera);
-    const Picture& image = frame.picture;
-    file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},
-               dump::flat<float>(image.pixel), "1",
-               "RGBA in gamma space, top row first; alpha is 1 on the skin and the coverage of the strands "
-               "elsewhere");
-    file.close();
-  });
+void dump::write_strand_frame(Hdf5File& file, const StrandInput& input, const StrandFrame& frame) {
+  write_keys(file, frame.keys);
+  write_drawn_strands(file, input.fur.strands);
+  write_curves(file, frame);
+  write_look(file, input);
+  if (frame.skin) write_skin(file, *frame.skin, !input.mesh->frames.empty());
+  write_camera(file, input.camera);
 }
 
 }  // namespace pelage

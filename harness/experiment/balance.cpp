@@ -17,10 +17,8 @@ namespace {
 /// Returns the time in seconds that the row's provenance stores under `key`. Returns no value if the entry is
 /// missing or negative.
 std::optional<double> seconds(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  if (found == row.provenance.end() || !found->is_number()) return {};
-  const auto value = found->get<double>();
-  return value >= 0 ? std::optional(value) : std::nullopt;
+  const std::optional<double> value = provenance_number(row, key);
+  return value && *value >= 0 ? value : std::nullopt;
 }
 
 double sampled_seconds(const Row& row) {

@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "harness/base/numbers.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
@@ -34,10 +35,9 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
   if (axis == "size") {
-    std::string width, height;
-    if (!RE2::FullMatch(value, "([0-9]{1,5})x([0-9]{1,5})", &width, &height))
-      throw InputError(fmt::format("size '{}' is not WIDTHxHEIGHT, such as 800x600", value));
-    return {{"image.width", width}, {"image.height", height}};
+    const std::optional<Size> size = size_from_text(value);
+    if (!size) throw InputError(fmt::format("size '{}' is not WIDTHxHEIGHT, such as 800x600", value));
+    return {{"image.width", std::to_string(size->width)}, {"image.height", std::to_string(size->height)}};
   }
   return {};
 }
@@ -98,6 +98,17 @@ void check_recorded(const Experiment& experiment, const std::map<std::string, st
                     experiment.name, cases, size * cases / 1e6, most_recorded / 1e6));
 }
 
+/// Returns the pipeline that the scene of the case names.
+std::string scene_pipeline(const Experiment& experiment, const Case& which) {
+  Scene scene;
+  scene.pipeline = experiment.base.pipeline;
+  if (const auto found = which.settings.find("pipeline"); found != which.settings.end())
+    apply_set(scene, "pipeline=" + found->second);
+  for (const auto& [key, value] : which.set)
+    if (key == "pipeline") apply_set(scene, "pipeline=" + value);
+  return scene.pipeline;
+}
+
 Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
                const std::vector<std::size_t>& choice, const Overrides& overrides,
                const std::map<std::string, std::string>& recorded) {
@@ -144,7 +155,9 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     const auto found = variant->second.find(std::string(key));
     return found == variant->second.end() ? std::string(otherwise) : found->second;
   };
-  result.pipeline = part(pipeline_key, default_pipeline);
+  result.pipeline = part(pipeline_key, scene_pipeline(experiment, result));
+  if (variant == experiment.variants.end() && result.pipeline != default_pipeline)
+    result.variant = result.pipeline;
   result.mapping = part(mapping_key, "");
   result.opengl = part(opengl_key, "");
 

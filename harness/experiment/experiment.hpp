@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/experiment/view.hpp"
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 #include "harness/scene/scene.hpp"
 
 namespace pelage {
@@ -55,7 +55,8 @@ struct Published {
   Metric figure;
 };
 
-/// `default_pipeline` is the pipeline of a variant without the key `pipeline`. `default_variant` is the
+/// A variant without the key `pipeline` has the pipeline that its scene names. `default_pipeline` is the one
+/// of scenes that name none. `default_variant` is the
 /// variant of a case without the axis "variant". When such a case runs on a device, pelage renames its
 /// variant to "shells/MAPPING". MAPPING is the mapping of pixels to work-items. On CPUs the default mapping
 /// is "tile". The subtitles of a report's tables do not mention `default_variant`.

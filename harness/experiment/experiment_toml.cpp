@@ -6,20 +6,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/experiment/require_toml.hpp"
-#include "harness/experiment/toml_values.hpp"
-#include "harness/experiment/view_toml.hpp"
+#include "harness/experiment/tables_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -313,20 +309,10 @@ Metric published_figure(const std::string& text, const std::string& unit) {
 }
 
 Experiment read_experiment(const fs::path& file) {
-  toml::table table;
-  Source source{file, {}, {0}};
-  try {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) refuse(file, nullptr, "cannot be read");
-    source.text.assign(std::istreambuf_iterator<char>(stream), {});
-    check_toml_text(source.text, file.string());
-    for (std::size_t i = 0; i < source.text.size(); ++i)
-      if (source.text[i] == '\n') source.lines.push_back(i + 1);
-    table = toml::parse(source.text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
-  }
+  Source source{file, toml_text_of(file)};
+  for (std::size_t i = 0; i < source.text.size(); ++i)
+    if (source.text[i] == '\n') source.lines.push_back(i + 1);
+  const toml::table table = parse_toml(source.text, file.string());
   if (!table.contains("name") && !table.contains("axes"))
     throw InputError(fmt::format(
         "{}: is not an experiment, because it has neither a name nor axes. If it is a scene, write "

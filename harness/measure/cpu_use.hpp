@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

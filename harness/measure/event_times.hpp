@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

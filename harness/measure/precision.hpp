@@ -1,6 +1,6 @@
 // Decides from the samples of a row whether the median of its frame times is precise enough.
 #pragma once
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

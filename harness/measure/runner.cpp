@@ -10,14 +10,14 @@
 #include "harness/error.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
-#include "harness/journal/contradiction.hpp"
-#include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/event_times.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/precision.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/record/contradiction.hpp"
 
 namespace pelage {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "harness/journal/journal.hpp"
 #include "harness/measure/subject.hpp"
+#include "harness/record/journal.hpp"
 
 namespace pelage {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 

@@ -8,6 +8,8 @@
 #include <map>
 #include <random>
 
+#include "harness/record/ratios.hpp"
+
 namespace pelage {
 namespace {
 
@@ -34,18 +36,6 @@ std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
 }
 
 }  // namespace
-
-double quantile(std::span<const double> values, double q) {
-  const std::vector<double> v = sorted(values);
-  const double position = q * double(v.size() - 1);
-  const auto below = std::size_t(std::floor(position));
-  const auto above = std::min(below + 1, v.size() - 1);
-  return v[below] + (position - double(below)) * (v[above] - v[below]);
-}
-
-double median(std::span<const double> values) {
-  return quantile(values, 0.5);
-}
 
 bool has_median_interval(std::size_t count, double confidence) {
   return interval_rank(count, confidence) >= 0;
@@ -129,27 +119,13 @@ double relative_half_width(std::span<const double> values, double confidence) {
   return (interval.high - interval.low) / (2 * median(values));
 }
 
-std::vector<std::size_t> outliers(std::span<const double> values) {
-  const double middle = median(values);
-  std::vector<double> distance;
-  for (double v : values) distance.push_back(std::abs(v - middle));
-  // The factor 1.4826 makes the median absolute deviation of normal noise equal to its standard deviation.
-  const double limit = 5 * 1.4826 * median(distance);
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (limit > 0 && distance[i] > limit) result.push_back(i);
-  return result;
-}
-
 Metric median_metric(std::span<const double> values, const std::string& unit) {
   const Interval interval = median_interval(values);
   return {median(values), unit, "", interval.low, interval.high};
 }
 
 Metric median_ratio(std::span<const double> a, std::span<const double> b) {
-  std::vector<double> ratio;
-  for (std::size_t i = 0; i < a.size(); ++i) ratio.push_back(a[i] / b[i]);
-  return median_metric(ratio, "times");
+  return median_metric(ratios_by_round(a, b), "times");
 }
 
 }  // namespace pelage

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "harness/journal/row.hpp"
+#include "harness/base/median.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 
@@ -13,14 +14,6 @@ struct Interval {
   double low = 0;
   double high = 0;
 };
-
-/// Returns the median: for an even number of values, the mean of the two middle ones. Needs at least one
-/// value.
-double median(std::span<const double> values);
-
-/// Returns the q-quantile, 0 <= q <= 1, interpolated linearly between order statistics (type 7 of Hyndman and
-/// Fan).
-double quantile(std::span<const double> values, double q);
 
 /// Returns an interval that contains the true median with at least the probability `confidence`. The ends of
 /// the interval are two of the values. The binomial distribution gives the ranks of these two values, so the
@@ -68,10 +61,6 @@ bool drifts(const Drift& drift);
 
 /// Returns half the width of median_interval, divided by the median.
 double relative_half_width(std::span<const double> values, double confidence = 0.95);
-
-/// Returns the indices of values farther than 5 * 1.4826 median absolute deviations from the median.
-/// Outliers are reported but never removed.
-std::vector<std::size_t> outliers(std::span<const double> values);
 
 /// Returns the median of `values` with its 95% interval (median_interval). There is one value per round of
 /// measurements. Needs at least one value.

@@ -12,10 +12,10 @@
 
 #include "harness/cl/device.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/row.hpp"
 #include "harness/measure/sampler.hpp"
 #include "harness/picture/picture.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 
@@ -65,7 +65,7 @@ struct SubjectContext {
   std::shared_ptr<const Mesh> mesh_of(const Scene& scene) { return meshes.of(scene, progress); }
 };
 
-/// An entry in the table of pipelines that an experiment can time (harness/subjects/pipelines.cpp).
+/// An entry in the table of studies that an experiment can time (harness/subjects/pipelines.cpp).
 struct Pipeline {
   std::string_view name;  ///< value of the key `pipeline` in the variants of an experiment file
   std::unique_ptr<Subject> (*make)(SubjectContext&, const Case&);

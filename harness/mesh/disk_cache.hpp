@@ -88,4 +88,40 @@ bool write_cache_file(const std::filesystem::path& file, std::string_view bytes)
 /// reading it by read_cache_file() count as use.
 void trim_cache(const std::filesystem::path& folder, std::uintmax_t most);
 
+/// Returns the value that `file` keeps. If the file is absent or damaged, returns make(), and keeps it in the
+/// file; the folder then keeps at most `most` bytes. parts(store, value) calls `store` for each member of the
+/// value, in the same order for reading and for writing, and returns false as soon as `store` returns false.
+template <class Value, class Parts, class Make>
+Value cached(const std::filesystem::path& file, std::string_view title, std::uintmax_t most,
+             const Parts& parts, const Make& make) {
+  const auto bytes = read_cache_file(file);
+  if (const auto content = bytes ? unsealed(*bytes, title) : std::nullopt) {
+    Reader from(*content);
+    Value value;
+    const auto load = [&]<class T>(T& part) {
+      if constexpr (std::is_same_v<T, std::string>)
+        return from.text(part);
+      else if constexpr (std::is_trivially_copyable_v<T>)
+        return from.value(part);
+      else
+        return from.list(part);
+    };
+    if (parts(load, value) && from.done()) return value;
+  }
+  Value value = make();
+  Writer to;
+  const auto save = [&]<class T>(const T& part) {
+    if constexpr (std::is_same_v<T, std::string>)
+      to.text(part);
+    else if constexpr (std::is_trivially_copyable_v<T>)
+      to.value(part);
+    else
+      to.list(part);
+    return true;
+  };
+  parts(save, value);
+  if (write_cache_file(file, to.sealed(title))) trim_cache(file.parent_path(), most);
+  return value;
+}
+
 }  // namespace pelage

@@ -1,17 +1,14 @@
 #include "harness/mesh/models.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
-#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -103,16 +100,7 @@ Model read_model(const Reader& in, const toml::table& table) {
 }  // namespace
 
 std::vector<Model> read_models(const std::filesystem::path& file) {
-  toml::table table;
-  try {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    check_toml_text(text, file.string());
-    table = toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
-  }
+  const toml::table table = read_toml(file);
   std::vector<Model> list;
   const toml::array* entries = table["model"].as_array();
   if (!entries) throw InputError(fmt::format("{}: the file has no [[model]]", file.string()));

@@ -1,4 +1,4 @@
-// Writes the body of the HTML report: the results, the pictures, all rows, the provenance and the libraries.
+// Writes the body of the HTML report: the results, the pictures, all rows and the provenance.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 #include "harness/claims/print.hpp"
 #include "harness/measure/statistics.hpp"
-#include "harness/page/base64.hpp"
 #include "harness/page/html.hpp"
 #include "harness/page/page.hpp"
 #include "harness/report/case_table.hpp"
@@ -18,33 +17,35 @@
 namespace pelage {
 namespace {
 
-/// Adds an element for the chart. If `scripts` is true, web/charts.js draws the chart in it. Otherwise it
-/// contains the SVG plot from the folder of the report.
-void add_chart(Body& body, const Report& report, const Chart& chart, std::size_t index, bool scripts) {
-  // The caption omits the part of the chart's title after ": ". The page already
-  // shows this part above the chart, as the subtitle of the table.
-  const std::string title = html_text(chart.title.substr(0, chart.title.find(": ")));
-  body.add(
-      fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n<figcaption>{}</figcaption>\n", index, title));
-  if (scripts) {
-    body.add("<noscript><p class=\"soft\">The plot needs JavaScript.</p></noscript>\n");
-  } else {
-    std::ifstream stream(report.folder / "plots" / (chart.stem + ".svg"), std::ios::binary);
-    const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (svg.empty())
-      body.remark("The plot is missing, because neither Chart.js nor matplotlib was installed.");
-    else
-      body.add(fmt::format("<img class=\"plot\" alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n",
-                           html_text(chart.title), base64(svg)));
+/// Returns the bytes as Base64 (RFC 4648), with padding.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (k < count ? std::uint32_t(std::uint8_t(bytes[i + k])) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? letters[bits >> (18 - 6 * k) & 63] : '=';
   }
-  body.add("</figure>\n");
+  return text;
 }
 
-/// Adds the charts of the section with the index `section`. -1 selects the charts that belong to no section.
-void add_charts(Body& body, const Report& report, const std::vector<PlacedChart>& charts, int section,
-                bool scripts) {
-  for (std::size_t i = 0; i < charts.size(); ++i)
-    if (charts[i].section == section) add_chart(body, report, charts[i].chart, i, scripts);
+/// Adds the SVG picture of the plot from the folder of the report, and a button that saves the plotted table.
+void add_plot(Body& body, const Report& report, const ReportPlot& plot, const std::string& table) {
+  std::ifstream stream(report.folder / "plots" / (plot.stem + ".svg"), std::ios::binary);
+  const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::size_t start = svg.find("<svg ");
+  if (start == std::string::npos) return;
+  // The caption omits the part of the plot's title after ": ". The page already
+  // shows this part above the plot, as the subtitle of the table.
+  body.add(fmt::format(
+      "<figure class=\"plot\">\n<figcaption>{}</figcaption>\n<svg role=\"img\" "
+      "aria-label=\"{}\" {}\n<p class=\"buttons\">",
+      html_text(plot.title.substr(0, plot.title.find(": "))), html_text(plot.title), svg.substr(start + 5)));
+  body.save_button(table, "CSV of the plot");
+  body.add("</p>\n</figure>\n");
 }
 
 /// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ". If there is no such part, returns
@@ -91,17 +92,19 @@ void add_claims(Body& body, const Report& report) {
   body.add("</p>\n");
 }
 
-void add_report(Body& body, const Report& report, bool scripts) {
+void add_report(Body& body, const Report& report) {
   for (const std::string& note : report.notes) body.remark(note);
-  const std::vector<PlacedChart> charts = charts_of(report);
-  for (std::size_t s = 0; s < report.sections.size(); ++s) {
-    add_table(body, report.sections[s].table, true);
-    add_charts(body, report, charts, int(s), scripts);
+  std::vector<ReportPlot> others = report.plots;
+  for (const Section& section : report.sections) {
+    add_table(body, section.table, true);
+    for (const PlotSpec& plot : section.plots)
+      if (std::erase_if(others, [&](const ReportPlot& drawn) { return drawn.stem == plot.stem; }) > 0)
+        add_plot(body, report, {plot.title, plot.stem}, section.table.stem + ".csv");
   }
   if (!report.solvers.empty()) add_table(body, table_of(report.solvers), false);
-  if (std::any_of(charts.begin(), charts.end(), [](const PlacedChart& c) { return c.section < 0; })) {
-    body.heading("Figures of single experiments", 2);
-    add_charts(body, report, charts, -1, scripts);
+  for (const ReportPlot& plot : others) {
+    body.heading(plot.title, 2);
+    add_plot(body, report, plot, plot.stem + ".csv");
   }
   if (!report.scaling.empty()) {
     body.heading("Cost of layers, pixels and triangles", 2);
@@ -181,22 +184,13 @@ void add_failures(Body& body, const std::vector<Report>& reports) {
   body.add("<ul>\n" + items + "</ul>\n");
 }
 
-void add_provenance(Body& body, const std::vector<Report>& reports, const PageParts& parts) {
+void add_provenance(Body& body, const std::vector<Report>& reports) {
   body.heading("Provenance", 1);
   for (std::size_t r = 0; r < reports.size(); ++r) {
     const std::string set = reports.size() > 1 ? fmt::format(", set {}", r + 1) : "";
     body.folded("Runs, machines and programs" + set, provenance_of(reports[r].rows));
     body.folded("References (BibTeX)" + set, bibliography_of(reports[r].rows));
   }
-  body.heading("Libraries in this page", 1);
-  if (!parts.charts) {
-    body.remark("This page contains no libraries. All of its scripts are part of pelage.");
-    return;
-  }
-  body.remark(fmt::format("{} {} draws the plots. All other scripts of this page are part of pelage.",
-                          parts.charts->name, parts.charts->version));
-  body.folded(fmt::format("{} {}: copyright and licence", parts.charts->name, parts.charts->version),
-              parts.charts->banner + "\n\n" + parts.charts->licence);
 }
 
 std::string summary_of(const std::vector<Report>& reports) {
@@ -232,13 +226,13 @@ std::string body_of(const std::vector<Report>& reports, const PageParts& parts) 
   for (std::size_t r = 0; r < reports.size(); ++r) {
     body.add(fmt::format("<section data-part=\"{}\">\n", r));
     body.heading(reports.size() == 1 ? "Results" : fmt::format("Results, set {}", r + 1), 1);
-    add_report(body, reports[r], parts.charts.has_value());
+    add_report(body, reports[r]);
     body.add("</section>\n");
   }
   add_gallery(body, reports, parts);
   add_failures(body, reports);
   add_rows(body, reports);
-  add_provenance(body, reports, parts);
+  add_provenance(body, reports);
   std::string notes;
   for (const std::string& note : parts.notes)
     notes += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));

@@ -6,7 +6,6 @@
 
 #include "harness/claims/print.hpp"
 #include "harness/page/page.hpp"
-#include "harness/page/study_charts.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/scaling.hpp"
 #include "harness/table/render.hpp"
@@ -48,6 +47,8 @@ Json files_json(const Report& report) {
     files[section.table.stem + ".tex"] = latex_of(section.table);
   }
   if (!report.solvers.empty()) files["topology-solvers-ratios.csv"] = csv_of(report.solvers);
+  if (const auto cells = scaling_cells(report.cells); !cells.empty())
+    files["scaling.csv"] = scaling_csv(cells);
   if (!report.claims.empty()) {
     std::string csv;
     for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
@@ -60,26 +61,11 @@ Json files_json(const Report& report) {
 
 }  // namespace
 
-std::vector<PlacedChart> charts_of(const Report& report) {
-  std::vector<PlacedChart> charts;
-  for (std::size_t s = 0; s < report.sections.size(); ++s)
-    for (const PlotSpec& plot : report.sections[s].plots)
-      if (Chart chart = chart_of(report.sections[s].table, plot); !chart.panels.empty())
-        charts.push_back({int(s), std::move(chart)});
-  for (Chart& chart : spring_charts(report.cells)) charts.push_back({-1, std::move(chart)});
-  if (Chart chart = scaling_chart(scaling_cells(report.cells)); !chart.panels.empty())
-    charts.push_back({-1, std::move(chart)});
-  return charts;
-}
-
 std::string data_of(const std::vector<Report>& reports) {
   Json parts = Json::array();
   std::size_t rows = 0;
   for (const Report& report : reports) {
-    Json charts = Json::array();
-    for (const PlacedChart& placed : charts_of(report)) charts.push_back(json_of(placed.chart));
-    parts.push_back(
-        {{"cells", cells_json(report, rows)}, {"charts", std::move(charts)}, {"files", files_json(report)}});
+    parts.push_back({{"cells", cells_json(report, rows)}, {"files", files_json(report)}});
     rows += report.rows.size();
   }
   std::string text =

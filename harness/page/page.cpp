@@ -2,15 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "harness/atomic_file.hpp"
+#include "harness/data_folder.hpp"
+#include "harness/error.hpp"
 
 namespace pelage {
 namespace {
 
 /// pelage's own scripts in the page, in the order in which they run.
-constexpr const char* own_scripts[] = {"base.js", "tables.js", "rows.js", "charts.js", "gallery.js"};
+constexpr const char* own_scripts[] = {"base.js", "tables.js", "rows.js", "gallery.js"};
+
+/// Returns the text of one of the scripts or styles of the page. They are in harness/page/web, or in
+/// share/pelage/page of an installation.
+std::string web_file(const std::string& name) {
+  for (const std::filesystem::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
+    for (const char* folder : {"page", "harness/page/web"}) {
+      std::ifstream stream(data / folder / name, std::ios::binary);
+      if (stream) return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    }
+  throw InputError(fmt::format("page/{} is missing; set PELAGE_DATA to pelage's data folder", name));
+}
 
 /// Returns 128 random bits as hexadecimal digits. The page's Content-Security-Policy permits only scripts
 /// whose attribute `nonce` is this number. Every page has a new random number, so a script hidden in the
@@ -27,11 +42,8 @@ std::string new_nonce() {
 std::string page_of(const std::vector<Report>& reports, const PageParts& parts) {
   const std::string nonce = new_nonce();
   std::string elements;
-  const auto add_script = [&](const std::string& text) {
-    elements += fmt::format("<script nonce=\"{}\">{}</script>\n", nonce, script_text(text));
-  };
-  if (parts.charts) add_script(parts.charts->text);
-  for (const char* name : own_scripts) add_script(web_file(name));
+  for (const char* name : own_scripts)
+    elements += fmt::format("<script nonce=\"{}\">{}</script>\n", nonce, web_file(name));
 
   std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += fmt::format(
@@ -50,8 +62,6 @@ std::string page_of(const std::vector<Report>& reports, const PageParts& parts) 
 
 std::vector<std::string> write_page(const std::vector<Report>& reports, const std::filesystem::path& file) {
   PageParts parts;
-  parts.charts = chart_library();
-  if (!parts.charts) parts.notes.emplace_back(no_chart_library);
   parts.pictures = page_pictures(reports, {}, parts.notes);
   const std::string page = page_of(reports, parts);
   write_text_atomically(file, page);

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/page/chart.hpp"
-#include "harness/page/libraries.hpp"
 #include "harness/page/pictures.hpp"
 #include "harness/report/report.hpp"
 
@@ -15,11 +13,10 @@ namespace pelage {
 /// Content of the page that is not part of the reports.
 struct PageParts {
   std::vector<PagePicture> pictures;
-  std::optional<Library> charts;  ///< Chart.js; if empty, the page shows the plots as static pictures
   std::vector<std::string> notes;
 };
 
-/// Writes one page with all reports. Returns one line of text for each missing picture or library, with the
+/// Writes one page with all reports. Returns one line of text for each missing picture, with the
 /// reason. Throws InputError if the file cannot be written.
 std::vector<std::string> write_page(const std::vector<Report>& reports, const std::filesystem::path& file);
 
@@ -31,19 +28,9 @@ std::string page_of(const std::vector<Report>& reports, const PageParts& parts);
 /// Returns the HTML inside the "body" element, without the scripts.
 std::string body_of(const std::vector<Report>& reports, const PageParts& parts);
 
-/// Returns the data that the page's scripts read, as JSON. The data contain the cells, the charts and the
-/// files (name -> text) of each report, and all rows, unchanged from the result files. The text contains no
+/// Returns the data that the page's scripts read, as JSON. The data contain the cells and the files
+/// (name -> text) of each report, and all rows, unchanged from the result files. The text contains no
 /// "<".
 std::string data_of(const std::vector<Report>& reports);
-
-/// A chart and the section of the report in which it is shown.
-struct PlacedChart {
-  int section = -1;  ///< index in Report::sections; -1 if the chart belongs to no section
-  Chart chart;
-};
-
-/// Returns all charts of the report: the charts of its sections, of the mass-spring studies, and of the
-/// experiment `scaling`.
-std::vector<PlacedChart> charts_of(const Report& report);
 
 }  // namespace pelage

@@ -134,11 +134,4 @@ std::string water_csv_line(const WetnessScene& wetness, const std::vector<Drople
                      water.unsoaked, water.held, water.evaporated, water.dripped);
 }
 
-std::string water_csv(const FrameInput& input, const std::vector<double>& seconds) {
-  std::string text = water_csv_header();
-  for (const double time : seconds)
-    text += water_csv_line(input.scene.wetness, input.droplets, input.mesh->length_per_uv, time);
-  return text;
-}
-
 }  // namespace pelage

@@ -66,7 +66,4 @@ std::string water_csv_header();
 /// water_at().
 std::string water_csv_line(const WetnessScene& wetness, const std::vector<Droplet>& droplets,
                            glm::vec2 length_per_uv, double seconds);
-/// Returns the table of the input's water at the given times (s) as CSV, one line per time.
-std::string water_csv(const FrameInput& input, const std::vector<double>& seconds);
-
 }  // namespace pelage

@@ -36,14 +36,6 @@ std::vector<std::string> metric_columns(const Table& table, std::vector<std::str
   return names;
 }
 
-/// Returns those of `names` that are columns of the table.
-std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
-  std::vector<std::string> result;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(result),
-               [&](const auto& name) { return column_of(table, name) >= 0; });
-  return result;
-}
-
 /// For each case, divides the frame time of every variant by the frame time of the fastest variant in this
 /// case. Returns the geometric mean of these ratios over the cases, for each variant.
 std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
@@ -145,17 +137,15 @@ std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
     remarks.emplace_back(
         "Frames per second: 1000 divided by the median wall time of a warm frame in ms, and its 95% "
         "interval.");
-  if (shows("baseline_ratio"))
+  if (shows("frame_over_baseline"))
     remarks.emplace_back(
-        "baseline_ratio: time of the case divided by the time of the baseline scene in the same rounds, and "
-        "its 95% interval. Above 1, the case is slower.");
-  if (shows("half_ratio") || shows("quarter_ratio"))
+        "frame_over_baseline: time of the case divided by the time of the baseline scene in the same rounds, "
+        "and its 95% interval. Above 1, the case is slower.");
+  if (shows("frame_over_half") || shows("frame_over_quarter"))
     remarks.emplace_back(
-        "half_ratio, quarter_ratio: time of the frame divided by the time of a frame with half or a quarter "
-        "of the layers in the same rounds, and its 95% interval.");
-  const std::set<std::string> own{"baseline_ratio", "half_ratio", "quarter_ratio"};
-  if (std::any_of(values.begin(), values.end(),
-                  [&](const auto& name) { return name.ends_with("_ratio") && !own.contains(name); }))
+        "frame_over_half, frame_over_quarter: time of the frame divided by the time of a frame with half or "
+        "a quarter of the layers in the same rounds, and its 95% interval.");
+  if (std::any_of(values.begin(), values.end(), [](const auto& name) { return name.ends_with("_ratio"); }))
     remarks.emplace_back(
         "NAME_ratio: time of the baseline NAME divided by our time in the same rounds, and its 95% interval. "
         "Above 1, ours is faster.");

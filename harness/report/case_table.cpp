@@ -8,9 +8,10 @@
 #include <set>
 #include <tuple>
 
+#include "harness/base/numbers.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/equal_pictures.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/record/equal_pictures.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {

@@ -11,14 +11,39 @@
 #include "harness/error.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/precision.hpp"
-#include "harness/report/cell_metrics.hpp"
 
 namespace pelage {
 namespace {
 
-std::string text(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string{};
+/// Combines the values of one metric from separate processes. If all values are equal (for example counts, or
+/// numbers printed in a paper), or if a value is not finite, returns the first metric unchanged. Otherwise
+/// returns the median of the values with limits. With three or more processes, the limits are the 95%
+/// interval of the mean over the processes (mean_interval()). With two processes, the limits are the smaller
+/// one of the two lower limits and the larger one of the two upper limits. If one of the two processes has no
+/// limits, the result has no limits. Needs at least one value.
+Metric combined_metric(std::span<const Metric> values) {
+  Metric result = values.front();
+  std::vector<double> numbers;
+  numbers.reserve(values.size());
+  for (const Metric& metric : values) numbers.push_back(metric.value);
+  const bool equal = std::all_of(numbers.begin(), numbers.end(), [&](double v) { return v == numbers[0]; });
+  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); });
+  if (equal || !finite) return result;
+  result.value = median(numbers);
+  if (has_mean_interval(numbers.size())) {
+    const Interval interval = mean_interval(numbers);
+    result.low = interval.low;
+    result.high = interval.high;
+    return result;
+  }
+  result.low = result.high = {};
+  const auto limited = [](const Metric& metric) { return metric.low && metric.high; };
+  if (!std::all_of(values.begin(), values.end(), limited)) return result;
+  for (const Metric& metric : values) {
+    result.low = std::min(result.low.value_or(*metric.low), *metric.low);
+    result.high = std::max(result.high.value_or(*metric.high), *metric.high);
+  }
+  return result;
 }
 
 Cell cell_of(const FoundRow& found) {
@@ -28,13 +53,13 @@ Cell cell_of(const FoundRow& found) {
   cell.case_name = row.case_name;
   cell.variant = row.variant;
   cell.device = row.device;
-  cell.host = text(row, "host");
+  cell.host = provenance_text(row, "host");
   cell.axes = row.axes;
   cell.overrides = row.overrides;
   cell.identity = row.identity;
   cell.image = picture_of(found);
-  cell.renderer = text(row, "opengl_renderer");
-  cell.title = text(row, "title");
+  cell.renderer = provenance_text(row, "opengl_renderer");
+  cell.title = provenance_text(row, "title");
   if (const auto view = row.provenance.find("view"); view != row.provenance.end()) cell.view = *view;
   return cell;
 }
@@ -59,7 +84,8 @@ void add(Cell& cell, const Row& row) {
     cell.reason = row.reason;
   }
   cell.contended = cell.contended || !load_warning(row).empty();
-  if (const std::string hash = text(row, "picture_hash"); !hash.empty()) cell.picture_hashes.insert(hash);
+  if (const std::string hash = provenance_text(row, "picture_hash"); !hash.empty())
+    cell.picture_hashes.insert(hash);
   if (!row.image_hash.empty()) cell.pixel_hashes.insert(row.image_hash);
   std::vector<double> times = frame_ms(row);
   if (times.empty()) return;
@@ -71,14 +97,14 @@ void add(Cell& cell, const Row& row) {
 
 /// Samples and metrics of all rows that one cell combines.
 struct Samples {
-  std::map<std::string, std::vector<double>> event, wall;  // phase -> times in ms
+  std::map<std::string, std::vector<double>> times;  // phase -> times_of() of all rows, in ms
   std::vector<double> cpu;
   std::map<std::string, std::vector<Metric>> metrics;
   void add(const Row& row) {
     for (const auto& [name, metric] : row.metrics) metrics[name].push_back(metric);
     for (const auto& [phase, samples] : row.samples) {
-      event[phase].insert(event[phase].end(), samples.event_ms.begin(), samples.event_ms.end());
-      wall[phase].insert(wall[phase].end(), samples.wall_ms.begin(), samples.wall_ms.end());
+      const std::vector<double>& own = times_of(row, phase);
+      times[phase].insert(times[phase].end(), own.begin(), own.end());
       if (phase == "frame") cpu.insert(cpu.end(), samples.cpu_ms.begin(), samples.cpu_ms.end());
     }
   }
@@ -100,11 +126,8 @@ void summarize(Cell& cell, const Samples& samples) {
     for (const Metric& metric : values) cell.runs[name].push_back(metric.value);
   }
   if (cell.status != Status::ok) return;
-  for (const auto& [phase, wall] : samples.wall) {
-    const std::vector<double>& event = samples.event.at(phase);
-    const std::vector<double>& times = event.empty() ? wall : event;
+  for (const auto& [phase, times] : samples.times)
     if (phase != "frame" && !times.empty()) cell.phase_ms[phase] = median(times);
-  }
   if (!samples.cpu.empty()) cell.cpu_ms = median(samples.cpu);
   summarize_times(cell);
 }
@@ -169,10 +192,7 @@ void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, cons
     for (const std::size_t index : cell.rows) {
       const Row& row = rows[index].row;
       for (const auto& [name, samples] : row.samples) known.insert(name);
-      const auto found = row.samples.find(phase);
-      if (row.status != Status::ok || found == row.samples.end()) continue;
-      const PhaseSamples& samples = found->second;
-      add_times(cell, row, samples.event_ms.empty() ? samples.wall_ms : samples.event_ms);
+      if (row.status == Status::ok) add_times(cell, row, times_of(row, phase));
     }
     if (cell.status == Status::ok) summarize_times(cell);
     timed = timed || cell.median_ms > 0;

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "harness/journal/results_folder.hpp"
 #include "harness/measure/difference.hpp"
+#include "harness/record/results_folder.hpp"
 
 namespace pelage {
 
 struct Cell {
   std::string experiment, case_name, variant, device, host;
   std::map<std::string, std::string> axes, overrides;
-  Identity identity;           ///< identity of all combined rows (harness/journal/identity.hpp)
+  Identity identity;           ///< identity of all combined rows (harness/record/identity.hpp)
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
   std::map<std::string, Metric> metrics;  ///< each metric, combined over the rows (combined_metric())
@@ -24,8 +24,7 @@ struct Cell {
   std::map<std::string, std::vector<double>> runs;
   Timings timings;         ///< for each process, its start time and the wall times of its frames
   bool contended = false;  ///< whether a row was timed on a loaded machine (harness/measure/cpu_use.hpp)
-  /// Name of each phase other than "frame" -> median of its samples in ms. The samples are event times, or
-  /// wall times if the phase has no event times.
+  /// Name of each phase other than "frame" -> median of its times in ms (times_of()).
   std::map<std::string, double> phase_ms;
   std::optional<double> cpu_ms;  ///< median of the CPU times of frames, in ms
   std::string title;             ///< title of the experiment; "" for rows of earlier versions
@@ -66,9 +65,9 @@ std::string changes_of(const Cell& cell);
 /// determines what a row measured) are equal.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
-/// Replaces the frame times in `cells` by the times of the phase `phase`: its event times, or its wall times
-/// if a row has no event times. `cells` is the result of cells_of(rows). A cell without this phase has no
-/// time afterwards. Throws InputError with the names of all phases if no cell has the phase.
+/// Replaces the frame times in `cells` by the times of the phase `phase` (times_of()). `cells` is the result
+/// of cells_of(rows). A cell without this phase has no time afterwards. Throws InputError with the names of
+/// all phases if no cell has the phase.
 void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, const std::string& phase);
 
 /// Our frame rate divided by the frame rate that a paper published (Cell::paper_fps()). The interval from

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/results_folder.hpp"
 
 namespace pelage {
 

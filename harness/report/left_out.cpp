@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "harness/journal/shards.hpp"
+#include "harness/record/shards.hpp"
 
 namespace pelage {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/journal/all_results.hpp"
+#include "harness/record/all_results.hpp"
 #include "harness/report/sections.hpp"
 
 namespace pelage {

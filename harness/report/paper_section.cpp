@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/journal/provenance.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/sections.hpp"
 
@@ -65,25 +65,20 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   return columns;
 }
 
-Section section_of(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
+Section paper_section(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
   sort_cells(cells);  // by the number of triangles, like the papers' tables
   const Cell& any = cells.front();
   auto columns = paper_columns(cells);
   const Experiment experiment = shipped_experiment(any.experiment).value_or(Experiment{});
-  Section section{table_of(cells, columns), {}};
+  Section section = section_of(cells, columns, stem, sources);
   Table& table = section.table;
-  const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
-  table.title = title_of(cells);
   if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
-  table.subtitle = subtitle_of(cells, sources.several_hosts);
-  table.stem = stem;
   if (any.reading() != "default") table.stem += "-" + any.reading();
   if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
-  if (has("layers")) table.layout.blocks = {"layers"};
-  if (has("model")) table.layout.rows = {"model"};
-  if (has("triangles")) table.layout.rows.emplace_back("triangles");
-  if (has("size")) table.layout.groups = {"size"};
-  table.layout.values = {"fps", "paper_fps", "ratio"};
+  table.layout = {present(table, {"layers"}),
+                  present(table, {"model", "triangles"}),
+                  present(table, {"size"}),
+                  {"fps", "paper_fps", "ratio"}};
   add_varying_keys(table, cells);
   add_footnotes(table, sources.note);
   table.remarks = {
@@ -96,9 +91,9 @@ Section section_of(std::vector<Cell> cells, const std::string& stem, const Sourc
                                         experiment.hardware));
   for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
-  if (view.x.empty() && has("triangles")) {
+  if (view.x.empty() && column_of(table, "triangles") >= 0) {
     view.x = "triangles";
-    if (view.panels.empty() && has("layers")) view.panels = {"layers"};
+    if (view.panels.empty()) view.panels = table.layout.blocks;
     view.x_scale = view.y_scale = "log";
   }
   section.plots = plots_of(table, cells, view, *sources.notes);
@@ -115,7 +110,7 @@ std::vector<Section> paper_sections(const std::vector<Cell>& cells, const std::s
   for (const Cell& c : cells) groups[{c.reading(), c.variant}].push_back(c);
   std::vector<Section> sections;
   sections.reserve(groups.size());
-  for (const auto& [key, group] : groups) sections.push_back(section_of(group, stem, sources));
+  for (const auto& [key, group] : groups) sections.push_back(paper_section(group, stem, sources));
   return sections;
 }
 

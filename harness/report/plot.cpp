@@ -20,8 +20,8 @@ fs::path plot_program(const std::string& name) {
 
 std::string draw_plot(const fs::path& program, const fs::path& table, const fs::path& stem) {
   const std::string python = fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
-  const ProgramOutcome outcome =
-      run_program({python, program.string(), table.string(), stem.string() + ".svg", stem.string() + ".pdf"});
+  const ProgramOutcome outcome = run_program(
+      {python, "-B", program.string(), table.string(), stem.string() + ".svg", stem.string() + ".pdf"});
   if (outcome.code == 0) return {};
   if (outcome.code == 127) return "no plots: python3 is not installed";
   if (outcome.messages.find("No module named 'matplotlib'") != std::string::npos)

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/journal/provenance.hpp"
+#include "harness/base/numbers.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/report/case_table.hpp"
 
@@ -182,7 +183,7 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
     plot.y_label = y == "median_ms" ? "frame time, ms" : heading(y);
     if (y.ends_with("_ms") && !plot.y_label.ends_with(", ms")) plot.y_label += ", ms";
     plot.y_scale = view.y_scale.empty() ? scale_of(table, y) : view.y_scale;
-    if (y == "baseline_ratio") plot.y_label = "frame time / frame time of the baseline", plot.guide = 1;
+    if (y == "frame_over_baseline") plot.y_label = "frame time / frame time of the baseline", plot.guide = 1;
     if (plot.y_label.ends_with(", dB")) plot.y_scale = "linear";  // decibels are logarithms already
     if (column_of(table, y + "_low") >= 0) plot.low = y + "_low", plot.high = y + "_high";
     plot.title = fmt::format("{} against {}: {}", plot.y_label, plot.x_label, table.subtitle);

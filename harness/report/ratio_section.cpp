@@ -124,18 +124,12 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
                           fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, marks_of(cell), m.low.value_or(0),
                                       m.high.value_or(0))};
            }};
-  Section section{table_of(cells, columns), {}};
+  Section section = section_of(cells, columns, stem + "-ratio", sources);
   Table& table = section.table;
-  const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
-  table.title = title_of(cells);
-  table.subtitle = subtitle_of(cells, sources.several_hosts);
-  table.stem = stem + "-ratio";
-  if (has("reading")) table.layout.blocks = {"reading"};
-  for (const char* name : {"model", "triangles"})
-    if (has(name)) table.layout.rows.emplace_back(name);
-  for (const char* name : {"layers", "size"})
-    if (has(name)) table.layout.groups.emplace_back(name);
-  table.layout.values = {"opengl_ratio"};
+  table.layout = {present(table, {"reading"}),
+                  present(table, {"model", "triangles"}),
+                  present(table, {"layers", "size"}),
+                  {"opengl_ratio"}};
   add_varying_keys(table, cells);
   add_footnotes(table, sources.note);
   const auto renderer =
@@ -150,10 +144,11 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
   if (std::string sentence = overhead_of(cells); !sentence.empty())
     table.remarks.push_back(std::move(sentence));
   View view = view_of(cells);
-  if (view == View{}) {
-    view = {.x = has("model") ? "model" : "", .y = {"opengl_ratio"}, .y_scale = "log"};
-    if (has("reading")) view.panels = {"reading"};
-  }
+  if (view == View{})
+    view = {.x = column_of(table, "model") >= 0 ? "model" : "",
+            .y = {"opengl_ratio"},
+            .panels = table.layout.blocks,
+            .y_scale = "log"};
   if (std::find(view.y.begin(), view.y.end(), "opengl_ratio") == view.y.end())
     view.y.insert(view.y.begin(), "opengl_ratio");
   section.plots = plots_of(table, cells, view, *sources.notes);

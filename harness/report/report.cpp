@@ -10,8 +10,8 @@
 #include "harness/claims/claim_file.hpp"
 #include "harness/claims/print.hpp"
 #include "harness/file_hash.hpp"
-#include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/input_sets.hpp"
@@ -36,15 +36,16 @@ void make_folder(const fs::path& folder) {
 }
 
 /// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. If this fails, adds the
-/// error text to the report's notes, unless they already contain it.
-void draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
+/// error text to the report's notes, unless they already contain it. Returns whether it succeeded.
+bool draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
           const std::string& table, const std::string& title) {
   const fs::path place = folder / "plots";
   std::string problem;
   try {
     write_file(place / (stem + ".csv"), table);
-    fs::copy_file(plot_program(program), place / (stem + ".py"), fs::copy_options::overwrite_existing);
-    problem = draw_plot(place / (stem + ".py"), place / (stem + ".csv"), place / stem);
+    for (const std::string& name : {program, std::string("style")})
+      fs::copy_file(plot_program(name), place / (name + ".py"), fs::copy_options::overwrite_existing);
+    problem = draw_plot(place / (program + ".py"), place / (stem + ".csv"), place / stem);
   } catch (const InputError& error) {
     problem = error.what();
   }
@@ -52,6 +53,7 @@ void draw(Report& report, const fs::path& folder, const std::string& program, co
     report.plots.push_back({title, stem});
   else if (std::find(report.notes.begin(), report.notes.end(), problem) == report.notes.end())
     report.notes.push_back(problem);
+  return problem.empty();
 }
 
 /// Writes the tables of the sections and draws their plots.
@@ -65,11 +67,6 @@ void write_sections(Report& report, const fs::path& folder) {
       draw(report, folder, "plot", plot.stem, csv_of(section.table), plot.title);
     }
   }
-}
-
-void draw_springs(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder) {
-  for (const SpringsChart& chart : springs_charts(rows))
-    draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
 /// Writes tables/layers-ratios.csv, which contains two ratios for each case. The first ratio is the frame
@@ -89,21 +86,10 @@ void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;
   report.scaling = scaling_text(cells);
-  std::string problem;
-  const fs::path place = folder / "plots";
-  try {
-    write_file(place / "scaling.csv", scaling_csv(cells));
-    fs::copy_file(plot_program("scaling"), place / "scaling.py", fs::copy_options::overwrite_existing);
-    problem = draw_plot(place / "scaling.py", place / "scaling.csv", place / "scaling");
-  } catch (const InputError& error) {
-    problem = error.what();
-  }
-  if (problem.empty()) {
-    std::ifstream fit(place / "scaling.txt");
+  if (draw(report, folder, "scaling", "scaling", scaling_csv(cells),
+           "Frame time against layers, pixels and triangles")) {
+    std::ifstream fit(folder / "plots/scaling.txt");
     report.scaling += std::string(std::istreambuf_iterator<char>(fit), {});
-    report.plots.push_back({"Frame time against layers, pixels and triangles", "scaling"});
-  } else {
-    report.notes.push_back("scaling: " + problem);
   }
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
@@ -251,7 +237,6 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   if (!report.solvers.empty())
     write_file(folder / "tables" / "topology-solvers-ratios.csv", csv_of(report.solvers));
   judge_claims(report, rows, folder);
-  draw_springs(report, rows, folder);
   write_scaling(report, folder);
   write_in_turns(report, folder);
   write_file(folder / "references.bib", bibliography_of(rows));

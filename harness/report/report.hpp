@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/claims/judge.hpp"
-#include "harness/journal/all_results.hpp"
+#include "harness/record/all_results.hpp"
 #include "harness/report/sections.hpp"
 #include "harness/report/springs.hpp"
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "harness/base/numbers.hpp"
 #include "harness/report/sections.hpp"
 #include "harness/table/render.hpp"
 
@@ -26,9 +27,8 @@ int layers_of(const Cell& cell) {
 }
 
 std::array<int, 2> size_of(const Cell& cell) {
-  const std::string size = cell.axis("size");
-  const auto cross = size.find('x');
-  return {std::atoi(size.c_str()), cross == std::string::npos ? 0 : std::atoi(size.c_str() + cross + 1)};
+  const Size size = size_from_text(cell.axis("size")).value_or(Size{});
+  return {size.width, size.height};
 }
 
 /// Returns the cell that has `layers` layers and otherwise the same device, host, variant, model and picture
@@ -106,7 +106,8 @@ std::string scaling_text(const std::vector<Cell>& cells) {
 std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells) {
   std::vector<Cell> result;
   for (const Cell& c : cells)
-    if (c.status == Status::ok && c.metrics.contains("half_ratio") && c.metrics.contains("quarter_ratio"))
+    if (c.status == Status::ok && c.metrics.contains("frame_over_half") &&
+        c.metrics.contains("frame_over_quarter"))
       result.push_back(c);
   std::sort(result.begin(), result.end(), [](const Cell& a, const Cell& b) {
     return std::tuple(a.device, metric(a, "triangles"), a.axis("model"), layers_of(a), size_of(a)) <
@@ -116,13 +117,14 @@ std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells) {
 }
 
 std::string in_turns_csv(const std::vector<Cell>& cells) {
-  std::string text = csv_line({"device", "model", "triangles", "layers", "size", "median_ms", "half_ratio",
-                               "half_low", "half_high", "quarter_ratio", "quarter_low", "quarter_high"});
+  std::string text =
+      csv_line({"device", "model", "triangles", "layers", "size", "median_ms", "frame_over_half", "half_low",
+                "half_high", "frame_over_quarter", "quarter_low", "quarter_high"});
   for (const Cell& c : cells) {
     std::vector<std::string> line{
         c.device,         c.axis("model"), fmt::format("{:.0f}", metric(c, "triangles")),
         c.axis("layers"), c.axis("size"),  fmt::format("{:.6g}", c.median_ms)};
-    for (const char* name : {"half_ratio", "quarter_ratio"}) {
+    for (const char* name : {"frame_over_half", "frame_over_quarter"}) {
       const Metric& ratio = c.metrics.at(name);
       for (const double value :
            {ratio.value, ratio.low.value_or(ratio.value), ratio.high.value_or(ratio.value)})
@@ -143,7 +145,7 @@ std::string in_turns_text(const std::vector<Cell>& cells) {
   };
   double half = 0, quarter = 0;
   for (const Cell& c : cells) {
-    const Metric &by_half = c.metrics.at("half_ratio"), &by_quarter = c.metrics.at("quarter_ratio");
+    const Metric &by_half = c.metrics.at("frame_over_half"), &by_quarter = c.metrics.at("frame_over_quarter");
     text += fmt::format("{:<14}{:>9.0f} triangles {:>10} {:>4} layers:  {:<20}  {}\n", c.axis("model"),
                         metric(c, "triangles"), c.axis("size"), c.axis("layers"), shown(by_half),
                         shown(by_quarter));

@@ -22,13 +22,13 @@ std::string scaling_csv(const std::vector<Cell>& cells);
 /// and the largest peak memory of all cases.
 std::string scaling_text(const std::vector<Cell>& cells);
 
-/// Returns the cells with status ok that have the metrics half_ratio and quarter_ratio. half_ratio is the
-/// frame time with all layers divided by the frame time with half of the layers. quarter_ratio is the same
-/// ratio for a quarter of the layers (harness/subjects/fewer_layers.hpp).
+/// Returns the cells with status ok that have the metrics frame_over_half and frame_over_quarter.
+/// frame_over_half is the frame time with all layers divided by the frame time with half of the layers.
+/// frame_over_quarter is the same ratio for a quarter of the layers (harness/subjects/fewer_layers.hpp).
 std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells);
 
-/// Returns CSV with one line per cell. Each line contains half_ratio and quarter_ratio with their 95%
-/// intervals. `cells` is a result of in_turns_cells().
+/// Returns CSV with one line per cell. Each line contains frame_over_half and frame_over_quarter with their
+/// 95% intervals. `cells` is a result of in_turns_cells().
 std::string in_turns_csv(const std::vector<Cell>& cells);
 
 /// Returns the ratios of in_turns_csv() as text for a terminal, followed by the largest ratios.

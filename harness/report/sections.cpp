@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "harness/error.hpp"
-#include "harness/journal/provenance.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/report/case_table.hpp"
 
 namespace pelage {
@@ -108,6 +108,22 @@ std::string title_of(const std::vector<Cell>& cells) {
     if (!c->title.empty()) return c->title;
   const auto found = shipped_experiment(cells.front().experiment);
   return found && !found->title.empty() ? found->title : cells.front().experiment;
+}
+
+Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
+                   const std::string& stem, const Sources& sources) {
+  Section section{table_of(cells, columns), {}};
+  section.table.title = title_of(cells);
+  section.table.subtitle = subtitle_of(cells, sources.several_hosts);
+  section.table.stem = stem;
+  return section;
+}
+
+std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(result),
+               [&](const auto& name) { return column_of(table, name) >= 0; });
+  return result;
 }
 
 void add_footnotes(Table& table, const ModelNote& note) {

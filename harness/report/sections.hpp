@@ -67,6 +67,16 @@ std::optional<Experiment> shipped_experiment(const std::string& name);
 /// experiment.
 std::string title_of(const std::vector<Cell>& cells);
 
+struct CellColumn;
+
+/// Returns a section whose table has one line per cell, and the title, the subtitle and the file name of the
+/// table.
+Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
+                   const std::string& stem, const Sources& sources);
+
+/// Returns those of `names` that are columns of the table.
+std::vector<std::string> present(const Table& table, const std::vector<std::string>& names);
+
 /// Adds the footnotes about models to the table, and marks these models in the row headings. If the row
 /// headings do not contain the models, adds the texts of the footnotes as remarks instead.
 void add_footnotes(Table& table, const ModelNote& note);

@@ -6,19 +6,12 @@
 #include <map>
 #include <tuple>
 
-#include "harness/journal/provenance.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
-
-constexpr std::pair<const char*, const char*> charts[] = {
-    {"banisch2006-update-time", "Update times of Figures 9 to 11 of Banisch and Wuethrich 2006"},
-    {"banisch2006-work-precision", "Error against cost of the solvers, per topology"},
-    {"banisch2006-longest-step", "Longest stable step"},
-    {"banisch2006-energy", "Energy over time"},
-    {"banisch2006-mesh-size", "Cost of a frame's simulation against the size of the mesh"}};
 
 constexpr std::string_view ratio_mark = "_ratio", processor_mark = "_processor_ratio";
 
@@ -28,25 +21,6 @@ std::string of(const std::map<std::string, std::string>& values, const std::stri
 }
 
 }  // namespace
-
-std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows) {
-  std::vector<SpringsChart> found;
-  for (const auto& [experiment, title] : charts) {
-    std::map<std::string, std::vector<FoundRow>> by_device;
-    for (const FoundRow& one : rows)
-      if (one.row.experiment == experiment && one.row.overrides.empty())
-        by_device[one.row.device].push_back(one);
-    for (auto& [device, own] : by_device) {
-      if (std::none_of(own.begin(), own.end(), [](const FoundRow& r) { return r.row.status == Status::ok; }))
-        continue;
-      const bool several = by_device.size() > 1;
-      found.push_back({several ? fmt::format("{}, {}", title, device) : title,
-                       several ? fmt::format("{}@{}", experiment, file_name_of(device)) : experiment,
-                       std::move(own)});
-    }
-  }
-  return found;
-}
 
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows) {
   std::vector<SolverLine> lines;

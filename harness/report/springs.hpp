@@ -1,23 +1,12 @@
-// The parts of a report about mass-spring experiments: charts, and a table that compares our solvers with
-// baselines (serial C++ and Eigen).
+// The table of a report that compares our mass-spring solvers with baselines (serial C++ and Eigen).
 #pragma once
 #include <string>
 #include <vector>
 
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/results_folder.hpp"
 #include "harness/table/table.hpp"
 
 namespace pelage {
-
-/// The rows of one experiment that plots/springs.py draws as a chart.
-struct SpringsChart {
-  std::string title, stem;
-  std::vector<FoundRow> rows;
-};
-/// Returns one chart per device for each experiment that plots/springs.py can draw. If an experiment has no
-/// row with the status ok on a device, it gets no chart for this device. Rows with overrides (settings
-/// changed on the command line) are ignored.
-std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
 /// The comparison of one of our solvers with one baseline (member `rival`), for one model and one mass-spring
 /// topology. For each round, the baseline's wall time is divided by our solver's wall time; `ratio` is the

@@ -101,19 +101,12 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
     if (c.column.name == "median_ms") c.column.heading = "frame";
     if (c.column.name == "simulate_ms") c.column.heading = "simulate";
   }
-  Section section{table_of(cells, columns), {}};
+  Section section = section_of(cells, columns, stem, sources);
   Table& table = section.table;
-  const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
-  table.title = title_of(cells);
-  table.subtitle = subtitle_of(cells, sources.several_hosts);
-  table.stem = stem;
-  for (const char* name : {"layers", "size"})
-    if (has(name)) table.layout.blocks.emplace_back(name);
-  for (const char* name : {"model", "triangles"})
-    if (has(name)) table.layout.rows.emplace_back(name);
-  table.layout.groups = {axis};
-  table.layout.values = {"median_ms"};
-  if (has("simulate_ms")) table.layout.values.emplace_back("simulate_ms");
+  table.layout = {present(table, {"layers", "size"}),
+                  present(table, {"model", "triangles"}),
+                  {axis},
+                  present(table, {"median_ms", "simulate_ms"})};
   add_varying_keys(table, cells);
   add_footnotes(table, sources.note);
   table.remarks = {
@@ -122,12 +115,13 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
       "by the device's timer."};
   for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
-  if (view == View{} && has("triangles")) {
-    view = {.x = "triangles", .y = {"median_ms"}, .series = {axis}, .x_scale = "log", .y_scale = "log"};
-    if (has("simulate_ms")) view.y.emplace_back("simulate_ms");
-    for (const char* name : {"layers", "size"})
-      if (has(name)) view.panels.emplace_back(name);
-  }
+  if (view == View{} && column_of(table, "triangles") >= 0)
+    view = {.x = "triangles",
+            .y = table.layout.values,
+            .series = {axis},
+            .panels = table.layout.blocks,
+            .x_scale = "log",
+            .y_scale = "log"};
   section.plots = plots_of(table, cells, view, *sources.notes);
   Section shares{shares_of(cells, topologies), {}};
   shares.table.subtitle = table.subtitle;

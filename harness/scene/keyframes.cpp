@@ -81,7 +81,7 @@ Scene scene_at(const Scene& scene, double seconds) {
 }
 
 bool may_have_keyframes(const Key& key) {
-  return key.name != "model" && !key.name.starts_with("mesh.");
+  return key.name != "model" && key.name != "pipeline" && !key.name.starts_with("mesh.");
 }
 
 KeyValue key_value(const Key& key) {

@@ -46,7 +46,8 @@ inline constexpr double most_keyframe_time = 3600;
 /// not valid, for instance because an interpolated direction is zero.
 Scene scene_at(const Scene& scene, double seconds);
 
-/// True if the key may have keyframes. The model and the options of its preparation may not.
+/// True if the key may have keyframes. The model, the options of its preparation and the
+/// pipeline may not.
 bool may_have_keyframes(const Key& key);
 
 /// Returns the key's value. The key is one of scene_keys().

@@ -7,6 +7,7 @@
 
 #include "harness/error.hpp"
 #include "harness/scene/contact_keys.hpp"
+#include "harness/scene/pipelines.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/scene/spring_kinds.hpp"
 #include "harness/scene/strand_keys.hpp"
@@ -28,6 +29,18 @@ std::string_view shading_help() {
                           model.what);
     return list;
   }();
+  return text;
+}
+
+std::vector<std::string_view> pipeline_names() {
+  std::vector<std::string_view> names;
+  for (const PipelineName& pipeline : drawing_pipelines()) names.push_back(pipeline.name);
+  return names;
+}
+
+std::string_view pipeline_help() {
+  static const std::string text =
+      "the pipeline that draws the scene, unless --pipeline names another: " + pipelines_help();
   return text;
 }
 
@@ -90,6 +103,7 @@ std::vector<Key> scene_keys(Scene& s) {
   ImageScene& image = s.image;
   std::vector<Key> keys{
       {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file"},
+      {.name = "pipeline", .slot = &s.pipeline, .unit = "", .help = pipeline_help(), .choices = pipeline_names()},
 
       {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
       {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z"},
@@ -123,6 +137,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.lod_bias", &fur.lod_bias, "mip levels", -16, 16, "value added to the mip level of the fur texture lookup"},
       {.name = "fur.substeps", .slot = &fur.substeps, .unit = "", .least = 1, .most = 8, .help = "number of samples of the fur texture per fragment along the view ray within a layer; with few layers, more samples make curls smooth; 1: as in S and W", .power_of_two = true},
       {"fur.density", &fur.density, "", 0, 1, "factor of the fur's coverage: 0 is no fur, 1 is all fur"},
+      {.name = "fur.layer_correction", .slot = &fur.layer_correction, .unit = "", .help = "where the coverage is corrected for a number of layers other than 16: in each \"texel\" before filtering; or in each \"fragment\" after the lookup, so that pictures converge as the number of layers grows", .choices = {"texel", "fragment"}},
       {.name = "fur.length_map", .slot = &fur.length_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.length (docs/shells.md, section 8); \"\": no map"},
       {.name = "fur.density_map", .slot = &fur.density_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.density; \"\": no map"},
       {.name = "fur.comb_map", .slot = &fur.comb_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.comb; \"\": no map"},
@@ -200,7 +215,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.springs.edge_damping", &springs.edge_damping, "N s/m", 0, 1e6, "damping coefficient of the springs between a topology's top masses"},
       {"dynamics.springs.return_weight", &springs.return_weight, "N", 0, 1e6, "w of B Eq. 5, the weight of the return force; 0: no return force"},
       {"dynamics.springs.residual", &springs.residual, "", 1e-7, 0.1, "relative residual |r| / |b| at which the conjugate-gradient solver of backward Euler stops"},
-      {.name = "dynamics.springs.jacobian", .slot = &springs.jacobian, .unit = "", .help = "derivatives of the forces in the matrix of backward Euler: \"pruned\" omits the terms that would make the matrix asymmetric or indefinite; \"full\" uses all terms; \"full\" is not available for the topology prisms on an OpenCL device", .choices = {"pruned", "full"}},
+      {.name = "dynamics.springs.jacobian", .slot = &springs.jacobian, .unit = "", .help = "derivatives of the forces in the matrix of backward Euler: \"pruned\" omits the terms that would make the matrix asymmetric or indefinite; \"full\" uses all terms; \"full\" is only available in the reference", .choices = {"pruned", "full"}},
       {"dynamics.springs.reference_area", &springs.reference_area, "R^2", 0, 1000, "reference area per stick; if it is above 0, pelage multiplies the mass, stiffness, damping, drag and return weight of a stick by A / dynamics.springs.reference_area, where A is the mesh's mean surface area per stick; the constants of the springs between top masses do not change; 0: all constants are the same on every mesh"},
       {"dynamics.motion.velocity", &motion.velocity, "R/s", -1000, 1000, "velocity of the object; the resulting air drag moves the fur of a mass-spring topology; the camera moves with the object"},
       {"dynamics.motion.shake", &motion.shake, "R", -10, 10, "amplitude of the object's oscillating translation"},

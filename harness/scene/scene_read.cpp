@@ -1,18 +1,16 @@
 #include <fmt/format.h>
-
-#define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -98,7 +96,7 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys,
   return fmt::format("no such key; did you mean {}?", best);
 }
 
-double number(const Source& source, const toml::node& node, const Key& key, std::string_view name) {
+double number_from(const Source& source, const toml::node& node, const Key& key, std::string_view name) {
   if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
   const bool wants_whole =
       std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot);
@@ -116,7 +114,7 @@ std::vector<double> vector(const Source& source, const toml::node& node, const K
     refuse(source, &node, name, fmt::format("has {} entries; give {}", array->size(), describe_range(key)));
   }
   std::vector<double> values;
-  for (const toml::node& entry : *array) values.push_back(number(source, entry, key, name));
+  for (const toml::node& entry : *array) values.push_back(number_from(source, entry, key, name));
   return values;
 }
 
@@ -139,7 +137,7 @@ void assign(const Source& source, const toml::node& node, const Key& key, const 
     return value;
   };
   const auto reals = [&](std::size_t size) { return checked(vector(source, node, key, name, size)); };
-  const auto real = [&] { return checked(std::vector<double>{number(source, node, key, name)})[0]; };
+  const auto real = [&] { return checked(std::vector<double>{number_from(source, node, key, name)})[0]; };
   std::visit(
       [&](auto* slot) {
         using T = std::remove_reference_t<decltype(*slot)>;
@@ -288,23 +286,17 @@ std::string trimmed(std::string_view text) {
 
 Scene parse_scene(std::string_view text, const std::string& name, const fs::path& folder, const Scene& base) {
   Scene scene = base;
-  try {
-    check_toml_text(text, name);
-    const toml::table table = toml::parse(text, name);
-    for (const char* key : {"axes", "preset"})
-      if (const toml::node* node = table.get(key); node && node->is_table())
-        throw InputError(
-            fmt::format("{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs "
-                        "an experiment",
-                        name, node->source().begin.line, key, name));
-    // The keys are read first, because a key of this text removes the keyframes that the base has for it.
-    read_table(Keys(scene), Source{name, folder}, table, "");
-    if (const toml::node* keyframes = table.get("keyframes"))
-      read_keyframes(Source{name, folder}, *keyframes, "", scene);
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not TOML: {}", name, error.source().begin.line, error.description()));
-  }
+  const toml::table table = parse_toml(std::string(text), name);
+  for (const char* key : {"axes", "preset"})
+    if (const toml::node* node = table.get(key); node && node->is_table())
+      throw InputError(
+          fmt::format("{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs "
+                      "an experiment",
+                      name, node->source().begin.line, key, name));
+  // The keys are read first, because a key of this text removes the keyframes that the base has for it.
+  read_table(Keys(scene), Source{name, folder}, table, "");
+  if (const toml::node* keyframes = table.get("keyframes"))
+    read_keyframes(Source{name, folder}, *keyframes, "", scene);
   check_scene(scene, name);
   return scene;
 }

@@ -8,11 +8,10 @@ namespace pelage {
 inline constexpr std::string_view baseline_pipeline = "shells+baseline";
 
 /// Returns a subject (an object that the harness times) that draws two frames in every round: that of the
-/// case and that of the same case without the settings of its named axes (baseline_case). The subject's
-/// check() checks both pictures. In the row of results, the phase "frame" contains the times of the case, and
-/// the phase "baseline" those of the other scene. The metric "baseline_ratio" is the case's time divided by
-/// the other time: the median over the rounds, with its 95% interval. "baseline_psnr" (dB) and
-/// "baseline_ssim" compare the two pictures.
+/// case and that of the same case without the settings of its named axes (baseline_case), the phase
+/// "baseline". check() checks both pictures. The metric "frame_over_baseline" is the case's time divided by
+/// the other time (harness/measure/turns.hpp). "baseline_psnr" (dB) and "baseline_ssim" compare the two
+/// pictures.
 std::unique_ptr<Subject> against_baseline_scene(const MakeSubject& make, const Experiment& experiment,
                                                 const Case& which);
 

@@ -1,4 +1,4 @@
-// The identity of a case: hashes of all inputs of its measurement (harness/journal/identity.hpp).
+// The identity of a case: hashes of all inputs of its measurement (harness/record/identity.hpp).
 #pragma once
 #include "harness/measure/subject.hpp"
 

@@ -5,41 +5,51 @@
 #include "harness/springs/studies/study.hpp"
 #include "harness/subjects/baseline_scene.hpp"
 #include "harness/subjects/fewer_layers.hpp"
-#include "harness/subjects/opengl.hpp"
+#include "harness/subjects/frames.hpp"
 #include "harness/subjects/raycast_difference.hpp"
-#include "harness/subjects/shells.hpp"
-#include "harness/subjects/strands.hpp"
+#include "harness/subjects/with_opengl.hpp"
+#include "harness/system/strands/backends.hpp"
 
 namespace pelage {
 namespace {
 
-constexpr Pipeline table[] = {
-    {"shells", make_shells},
+std::unique_ptr<Subject> frames_of(SubjectContext& context, const Case& which, std::string_view backend) {
+  return std::make_unique<Frames>(context, which, backend_named(backend));
+}
+
+/// In every round, the device and OpenGL draw the same key strands, and neither time contains a simulation.
+std::unique_ptr<Subject> strands_against_opengl(SubjectContext& context, const Case& which) {
+  auto theirs = std::make_unique<Frames>(context, which, backend_named("strands-opengl"), true);
+  auto ours = std::make_unique<Frames>(context, which, backend_named("strands"), true);
+  strands::show_keys(theirs->backend(), strands::keys_of(ours->backend()));
+  return with_opengl(std::move(ours), std::move(theirs));
+}
+
+/// The studies: what experiments time besides the backends of the systems.
+constexpr Pipeline studies[] = {
     {"shells+fewer",
      [](SubjectContext& context, const Case& which) {
-       return fewer_layers([&](const Case& fewer) { return make_shells(context, fewer); }, which,
+       return fewer_layers([&](const Case& fewer) { return frames_of(context, fewer, "shells"); }, which,
                            scene_of(context.experiment, which).fur.layers);
      }},
     {baseline_pipeline,
      [](SubjectContext& context, const Case& which) {
-       return against_baseline_scene([&](const Case& scene) { return make_shells(context, scene); },
+       return against_baseline_scene([&](const Case& scene) { return frames_of(context, scene, "shells"); },
                                      context.experiment, which);
      }},
-    {"opengl", make_opengl},
     {"shells+opengl",
      [](SubjectContext& context, const Case& which) {
-       need_opengl();
-       return duel(make_shells(context, which), make_opengl(context, which), "opengl");
+       auto theirs = frames_of(context, which, "opengl");
+       return with_opengl(frames_of(context, which, "shells"), std::move(theirs));
      }},
-    {"strands", make_strand_frames},
-    {"strands+opengl", make_strands_against_opengl},
+    {"strands+opengl", strands_against_opengl},
     {"strands+raycast",
      [](SubjectContext& context, const Case& which) {
-       return against_raycast(context, which, make_strand_frames(context, which));
+       return against_raycast(context, which, frames_of(context, which, "strands"));
      }},
     {"shells+raycast",
      [](SubjectContext& context, const Case& which) {
-       return against_raycast(context, which, make_shells(context, which));
+       return against_raycast(context, which, frames_of(context, which, "shells"));
      }},
     {"springs", springs::make_solver},
     {"springs+rivals", springs::make_solver_against_baselines},
@@ -54,8 +64,12 @@ constexpr Pipeline table[] = {
 
 }  // namespace
 
-std::span<const Pipeline> pipelines() {
-  return table;
+std::vector<std::string_view> pipelines() {
+  std::vector<std::string_view> names;
+  for (const System* system : systems())
+    for (const BackendKind& kind : system->backends) names.push_back(kind.name);
+  for (const Pipeline& study : studies) names.push_back(study.name);
+  return names;
 }
 
 std::shared_ptr<SubjectContext> make_context(const cl::Device& device, const Experiment& experiment,
@@ -65,9 +79,10 @@ std::shared_ptr<SubjectContext> make_context(const cl::Device& device, const Exp
 }
 
 MakeSubject subjects_of(std::shared_ptr<SubjectContext> context) {
-  return [context = std::move(context)](const Case& which) {
-    for (const Pipeline& pipeline : pipelines())
-      if (pipeline.name == which.pipeline) return pipeline.make(*context, which);
+  return [context = std::move(context)](const Case& which) -> std::unique_ptr<Subject> {
+    if (backend_named(which.pipeline)) return frames_of(*context, which, which.pipeline);
+    for (const Pipeline& study : studies)
+      if (study.name == which.pipeline) return study.make(*context, which);
     throw Unsupported(fmt::format("this build has no pipeline '{}'", which.pipeline));
   };
 }

@@ -3,15 +3,17 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "harness/measure/subject.hpp"
 
 namespace pelage {
 
-/// Returns the table of all pipelines. Each entry has a name and a factory function.
-std::span<const Pipeline> pipelines();
+/// Returns the names of all pipelines: the backends of the systems (harness/system/table.cpp), and the
+/// studies.
+std::vector<std::string_view> pipelines();
 
 /// Returns the data from which the subjects of a run (the objects that the harness times) are made. `tuning`
 /// maps the names of tuning axes (kernel parameters that affect only speed) to values. The context calls

@@ -4,17 +4,12 @@
 #include <glm/geometric.hpp>
 
 #include "harness/compare/metrics.hpp"
-#include "harness/compare/strands.hpp"
-#include "harness/error.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/strands/raycast/raycast.hpp"
-#include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/skin.hpp"
+#include "harness/system/strands/backends.hpp"
 
 namespace pelage {
 namespace {
 
-constexpr strands::RaycastOptions rays{.cones = 12, .samples = 4};
 constexpr int coarse = 8;  // pixels per side of the squares whose means are compared
 
 /// The ray-cast picture of the strands that a picture of all strands shows.
@@ -59,8 +54,9 @@ double mean_difference(const Picture& a, const Picture& b) {
 }
 
 Truth ray_cast(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
-  const strands::RaycastResult result = raycast_strands(*strands::prepare_strands(scene, mesh));
-  const double all = double(fur_pixels(result.picture)) * rays.samples * rays.samples;
+  const strands::RaycastResult result = strands::raycast_strands(*strands::prepare_strands(scene, mesh));
+  constexpr int samples = strands::rays.samples;
+  const double all = double(fur_pixels(result.picture)) * samples * samples;
   return {result.picture, all > 0 ? double(result.hits) / all : 0};
 }
 
@@ -97,46 +93,7 @@ class RaycastDifference : public Subject {
   double psnr_ = 0, coarse_psnr_ = 0, mean_ = 0, hits_ = 0, pixels_ = 0;
 };
 
-void refuse_frames(const Mesh& mesh) {
-  if (!mesh.frames.empty())
-    throw InputError("mesh.frames: a ray-cast picture shows the strands at rest; give 1");
-}
-
 }  // namespace
-
-strands::RaycastResult raycast_strands(const strands::StrandInput& input) {
-  refuse_frames(*input.mesh);
-  const std::vector<strands::DrawnStrand> all_curves = reference_curves(input, input.fur.keys);
-  std::vector<strands::DrawnStrand> curves;
-  std::vector<std::uint32_t> number;
-  for (const strands::Entry& entry :
-       strands::reference::drawing_order(input.camera, input.range, all_curves)) {
-    curves.push_back(all_curves[entry.strand]);
-    number.push_back(entry.strand);
-  }
-  const strands::Look& look = input.look;
-  strands::RaycastScene cast;
-  cast.camera = input.camera;
-  cast.background = look.background;
-  cast.taper = look.taper;
-  cast.strand_paint = [&](std::uint32_t strand, float t) -> strands::Paint {
-    const strands::DrawnStrand& drawn = curves[strand];
-    return {glm::vec3(
-                strands::reference::unshadowed_colour(input.camera, look, drawn, number[strand], double(t))),
-            float(strands::reference::alpha_of(look, drawn, number[strand], double(t)))};
-  };
-  std::vector<glm::dvec3> skin_colour;
-  if (input.skin) {
-    skin_colour = strands::reference::skin_colours(look, *input.skin, nullptr);
-    cast.skin = input.mesh;
-    cast.skin_paint = [&](std::uint32_t triangle, glm::vec2 weight) -> strands::Paint {
-      const glm::uvec3 t = input.mesh->triangle[triangle];
-      const double s = double(weight.x), u = double(weight.y);
-      return {glm::vec3((1 - s - u) * skin_colour[t.x] + s * skin_colour[t.y] + u * skin_colour[t.z]), 1};
-    };
-  }
-  return strands::raycast(cast, curves, rays);
-}
 
 std::unique_ptr<Subject> against_raycast(SubjectContext& context, const Case& which,
                                          std::unique_ptr<Subject> drawn) {
@@ -146,7 +103,7 @@ std::unique_ptr<Subject> against_raycast(SubjectContext& context, const Case& wh
   scene.strands.shadow = "none";
   scene.fur = {};  // strands use no key of the fur of layers
   const auto mesh = context.mesh_of(scene);
-  refuse_frames(*mesh);
+  strands::refuse_frames(*mesh);
   // Cases that differ only in the fraction or in the layers share the ray-cast picture.
   const std::string key = "raycast " + scene_hash(scene) + mesh->hash;
   return std::make_unique<RaycastDifference>(std::move(drawn), [&context, scene, mesh, key] {

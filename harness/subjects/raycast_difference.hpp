@@ -1,14 +1,8 @@
 // Compares a timed picture of fur with a ray-cast picture of the scene's strands.
 #pragma once
 #include "harness/measure/subject.hpp"
-#include "harness/strands/raycast/raycast.hpp"
-#include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage {
-
-/// Ray-casts the strands at rest that a picture of all strands shows, as cones, above the skin if the input
-/// has one. The light of the picture is that of the strands, without the opacity map. Uses all cores.
-strands::RaycastResult raycast_strands(const strands::StrandInput& input);
 
 /// Returns a subject that draws the frames of `drawn`, a subject of the case's fur as strands or as layers.
 /// Its row has five more metrics. They compare the timed picture with a ray-cast picture of the scene's

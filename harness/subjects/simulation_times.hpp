@@ -1,10 +1,10 @@
 // The time that the simulation of a hair takes.
 #pragma once
-#include <algorithm>
 #include <vector>
 
-#include "harness/journal/row.hpp"
+#include "harness/base/median.hpp"
 #include "harness/measure/subject.hpp"
+#include "harness/record/row.hpp"
 
 namespace pelage {
 
@@ -20,10 +20,7 @@ class SimulationTimes {
   /// a segment being the part of a hair between two simulated points.
   void describe(Row& row, std::size_t segments) const {
     if (ms_.empty() || segments == 0) return;
-    std::vector<double> sorted = ms_;
-    const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    row.metrics["simulate_ns_per_segment"] = {1e6 * *middle / double(segments), "ns"};
+    row.metrics["simulate_ns_per_segment"] = {1e6 * median(ms_) / double(segments), "ns"};
   }
 
  private:

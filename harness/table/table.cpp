@@ -3,19 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <tuple>
 
+#include "harness/base/numbers.hpp"
+
 namespace pelage {
 namespace {
-
-std::optional<double> decimal(std::string_view text) {
-  double number = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return {};
-  return number;
-}
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -75,18 +69,6 @@ int column_of(const Table& table, std::string_view name) {
   const auto found = std::find_if(table.columns.begin(), table.columns.end(),
                                   [&](const Column& column) { return column.name == name; });
   return found == table.columns.end() ? -1 : int(found - table.columns.begin());
-}
-
-std::optional<double> number_of(const std::string& text) {
-  if (const std::optional<double> number = decimal(text)) return number;
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos ||
-      !std::all_of(text.begin(), text.end(), [](char c) { return is_digit(c) || c == 'x'; }))
-    return {};
-  const auto width = decimal(std::string_view(text).substr(0, cross)),
-             height = decimal(std::string_view(text).substr(cross + 1));
-  if (!width || !height) return {};
-  return *width * *height;
 }
 
 bool natural_less(const std::string& a, const std::string& b) {

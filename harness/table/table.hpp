@@ -77,8 +77,4 @@ std::string with_value(const Column& column, const std::string& value);
 /// in this list are compared by natural_less().
 bool precedes(const Column& column, const std::string& a, const std::string& b);
 
-/// Returns the value of a text that is a decimal number. For a picture size such as "800x600", returns the
-/// number of pixels. Returns nothing for other texts.
-std::optional<double> number_of(const std::string& text);
-
 }  // namespace pelage

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <re2/re2.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
+#include "harness/base/toml_file.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
-#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -38,19 +35,6 @@ void check_name(const fs::path& file, const toml::node& node, const std::string&
   if (!RE2::FullMatch(name, "[A-Z][A-Z0-9_]*"))
     throw InputError(place(file, node, name) +
                      ": the name of a tuning axis must be in capitals, such as TILE_W");
-}
-
-toml::table parsed(const fs::path& file) {
-  try {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    check_toml_text(text, file.string());
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
-  }
 }
 
 void collect(const fs::path& file, const toml::table& table, bool nested, const std::set<std::string>& known,
@@ -102,7 +86,7 @@ std::vector<TuningAxis> tuning_axes(const std::string& stage) {
     throw InputError(fmt::format("stage '{}' has no tuning axes; the stages with tuning axes are {}", stage,
                                  fmt::join(stages, ", ")));
   const fs::path file = cl::kernel_folder() / stage / "tuning.toml";
-  const toml::table table = parsed(file);
+  const toml::table table = read_toml(file);
   // toml++ sorts the keys by name. The search needs the order of the file, so this code sorts the axes by
   // line.
   std::vector<std::pair<toml::source_index, TuningAxis>> axes;
@@ -120,7 +104,7 @@ Tuning read_tuning(const fs::path& file) {
   for (const std::string& stage : tunable_stages())
     for (const TuningAxis& axis : tuning_axes(stage)) known.insert(axis.name);
   Tuning result;
-  collect(file, parsed(file), false, known, result);
+  collect(file, read_toml(file), false, known, result);
   return result;
 }
 

@@ -4,9 +4,9 @@ import math
 import zlib
 from pathlib import Path
 
-from ._contradiction import contradiction, hash_of_texts
+from ._contradiction import contradiction
 
-NEWEST_SCHEMA = 2
+NEWEST_SCHEMA = 3
 CRC_MARK = b',"crc":"'
 FIELDS = ("schema", "run_id", "experiment", "case", "variant", "axes", "overrides", "device", "repeat", "status",
           "reason", "check", "samples", "metrics", "build_ms", "first_launch_ms", "tuning", "image_hash", "provenance")
@@ -55,9 +55,20 @@ def parse_line(line):
     for check in row["check"] if row["status"] == "ok" else ():
         if not holds(check):
             raise ResultsError(f"the row is ok, but its check {check['metric']} does not hold")
+    if schema < NEWEST_SCHEMA:
+        convert_to_present(row)
     if text := contradiction(row):
         raise ResultsError(text)
     return row
+
+
+def convert_to_present(row):
+    """Converts a row of schema 1 or 2 as convert_to_present() does in harness/record/ratios.cpp. These rows call the
+    time of the frame divided by the time of a phase half_ratio, quarter_ratio or baseline_ratio."""
+    renamed = {f"{phase}_ratio": f"frame_over_{phase}" for phase in ("half", "quarter", "baseline")}
+    row["metrics"] = {renamed.get(name, name): metric for name, metric in row["metrics"].items()}
+    if row["schema"] == 2:
+        row["schema"] = NEWEST_SCHEMA
 
 
 def key_of(row):
@@ -118,6 +129,16 @@ def read_rows(places):
                                        f"{len(times)} frame times are equal. One of them is a changed copy; give only "
                                        "the original")
     return [row for row, file in known.values()]
+
+
+def hash_of_texts(texts):
+    """Returns the 64-bit FNV-1a hash of texts, each preceded by its length (harness/hash.hpp)."""
+    value = 0xcbf29ce484222325
+    for text in texts:
+        data = text.encode()
+        for byte in len(data).to_bytes(8, "little") + data:
+            value = (value ^ byte) * 0x100000001b3 % 2**64
+    return value
 
 
 def identity_hash(identity):

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "harness/error.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
@@ -21,30 +22,10 @@ namespace fs = std::filesystem;
 
 const FrameOrigin origin{{"scene", "12"}, {"frames per second", "24"}};
 
-class Place {
- public:
-  Place() {
-    std::string name = (fs::temp_directory_path() / "pelage-frames-XXXXXX").string();
-    if (!mkdtemp(name.data())) std::abort();
-    path_ = name;
-  }
-  ~Place() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::string read(const fs::path& name) const {
-    std::ifstream file(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-  }
-
- private:
-  fs::path path_;
+struct Place : test::Folder {
+  fs::path operator/(const std::string& name) const { return path / name; }
+  std::string read(const fs::path& name) const { return test::text_of(path / name); }
+  void write(const std::string& name, const std::string& text) const { test::write_text(path / name, text); }
 };
 
 /// A picture whose content depends on the number of the frame.

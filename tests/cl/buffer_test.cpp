@@ -6,6 +6,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
+#include "tests/support/refusal.hpp"
 
 using namespace pelage;
 
@@ -70,21 +71,14 @@ TEST(Buffers, RefuseToOverrun) {
 
 TEST(Buffers, TooLargeSayHowMuchFits) {
   const cl::Device device = cl::choose_device("");
-  try {
-    const cl::Memory memory(device, device.info().max_allocation + 1);
-    FAIL() << "allocated";
-  } catch (const DeviceError& error) {
-    EXPECT_NE(std::string(error.what()).find("at most"), std::string::npos) << error.what();
-  }
+  const std::string said =
+      test::refusal<DeviceError>([&] { const cl::Memory memory(device, device.info().max_allocation + 1); });
+  EXPECT_NE(said.find("at most"), std::string::npos) << said;
 }
 
 TEST(Errors, CarryOpenClsName) {
   EXPECT_NO_THROW(cl::check(CL_SUCCESS, "clFinish"));
-  try {
-    cl::check(CL_OUT_OF_RESOURCES, "clFinish");
-    FAIL();
-  } catch (const DeviceError& error) {
-    EXPECT_EQ(std::string(error.what()).find("clFinish: CL_OUT_OF_RESOURCES: "), 0u) << error.what();
-  }
+  const std::string said = test::refusal<DeviceError>([&] { cl::check(CL_OUT_OF_RESOURCES, "clFinish"); });
+  EXPECT_EQ(said.find("clFinish: CL_OUT_OF_RESOURCES: "), 0u) << said;
   EXPECT_EQ(cl::error_name(-12345), "OpenCL error -12345");
 }

@@ -95,7 +95,7 @@ std::function<double(const Row&, double)> of_strands(double by) {
 
 /// Returns a change for the rows of the effect `reading`: it multiplies their ratio to plain shells by `by`.
 std::function<void(Row&)> overhead_of(const std::string& reading, double by) {
-  return metric("baseline_ratio",
+  return metric("frame_over_baseline",
                 [=](const Row& row, double v) { return is(row, "reading", reading) ? by * v : v; });
 }
 

@@ -46,7 +46,7 @@ def main(source, build, changes):
             name = "_".join(Path(entry["file"]).relative_to(build).with_suffix(".o").parts)
             out = changes / name
             text = texts.get(out, Path(entry["file"]).read_text()).replace(f'"{original}"', f'"{file}"')
-        texts[out], options[out] = text, entry or by_folder[original.parent]
+        texts[out], options[out] = text, entry or next(by_folder[p] for p in original.parents if p in by_folder)
     for out, text in texts.items():
         unit = out.with_suffix(".cxx")
         inputs = [file for file in changes.rglob("*.cpp") if f'"{file}"' in text]

@@ -170,13 +170,13 @@ TEST_F(Results, LinkLoopsAndLongNamesAreBadInput) {
   for (const std::string& name : {std::string("loop.toml"), longest, longest + ".toml"})
     for (const std::string& command :
          {"scene " + name, "run " + name, "list " + name, "mesh " + name, "report first -o " + name,
-          "export " + name, "run own.toml -o " + name, "run own.toml --tuning " + name, "roofline -o " + name,
+          "export " + name, "run own.toml -o " + name, "run own.toml --tuning " + name, "profile -o " + name,
           "topology torus --draw " + name}) {
       const Outcome outcome = pelage(folder, command);
       EXPECT_EQ(outcome.code, 2) << command.substr(0, 60) << outcome.err;
       EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
-  EXPECT_EQ(pelage(folder, "roofline own.toml -o /proc/none --frames 1").code, 2);
+  EXPECT_EQ(pelage(folder, "profile own.toml -o /proc/none --frames 1").code, 2);
 }
 
 TEST_F(Results, ResumeRefusesOtherLimitsOfSampling) {

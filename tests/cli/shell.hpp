@@ -1,13 +1,8 @@
 // Runs the pelage binary of this build in a shell, in a temporary folder.
 #pragma once
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include "tests/support/files.hpp"
 
 namespace pelage::cli {
 
@@ -19,28 +14,14 @@ struct Outcome {
 /// A new temporary folder. The destructor deletes it.
 class Folder {
  public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "pelage-cli-XXXXXX").string();
-    if (!mkdtemp(name.data())) std::abort();
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_.path; }
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
+    test::write_text(path() / name, text);
   }
-  std::string read(const std::string& name) const {
-    std::ifstream file(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string read(const std::string& name) const { return test::text_of(path() / name); }
 
  private:
-  std::filesystem::path path_;
+  test::Folder folder_;
 };
 
 /// Runs pelage inside the folder for at most 300 s. `arguments` is a text that the shell splits into

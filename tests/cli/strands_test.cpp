@@ -33,6 +33,37 @@ TEST(Strands, TheDeviceAndTheReferenceDrawTheSamePicture) {
   EXPECT_TRUE(within(found)) << found.psnr << " dB, " << found.flips << " flips";
 }
 
+// A scene names its pipeline, --pipeline overrides it, and a key that the pipeline does not use is named.
+TEST(ScenePipeline, DrawsTheSceneAndWarnsOfUnusedKeys) {
+  const Folder folder;
+  folder.write("furry.toml",
+               "model = \"torus-24x12\"\npipeline = \"strands-reference\"\n[image]\nwidth = 64\nheight = 48\n"
+               "[[strands.layer]]\ncount = 500\n");
+  for (const char* arguments :
+       {"furry.toml -o named.png", "furry.toml -o given.png --pipeline strands-reference",
+        "furry.toml -o other.png --pipeline reference --set fur.layers=2"}) {
+    const Outcome outcome = pelage(folder, std::string("render ") + arguments);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find(
+                  "warning: the pipeline reference does not use these keys of the scene: strands.layer\n") !=
+                  std::string::npos,
+              std::string(arguments).find("other") != std::string::npos)
+        << outcome.err;
+  }
+  EXPECT_EQ(folder.read("named.png"), folder.read("given.png"));
+  EXPECT_NE(folder.read("named.png"), folder.read("other.png"));
+  const Outcome strict = pelage(folder, "render furry.toml -o strict.png --strict --set curl.radius=0.1");
+  EXPECT_EQ(strict.code, 2);
+  EXPECT_NE(strict.err.find("strands-reference does not use these keys of the scene: curl.radius"),
+            std::string::npos)
+      << strict.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "strict.png"));
+  EXPECT_EQ(pelage(folder, "render furry.toml -o strict.png --strict").code, 0);
+  const Outcome animated = pelage(folder, "animate furry.toml -o frames --to 0.05 --fps 20");
+  ASSERT_EQ(animated.code, 0) << animated.err;
+  EXPECT_NE(folder.read("frames/animation.txt").find("strands-reference"), std::string::npos);
+}
+
 TEST(Strands, ChainsAreNoMotionOfShells) {
   const Folder folder;
   for (const std::string pipeline : {"shells", "reference"}) {

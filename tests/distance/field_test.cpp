@@ -118,14 +118,5 @@ TEST(DistanceField, ComesFromTheCacheWithTheSameBits) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Penetration, IsMeasuredAgainstTheMesh) {
-  const ClosedSurface surface(sphere_mesh());
-  const Penetration p = penetration(surface, {{0, 0.9f, 0}, {0.95f, 0, 0}, {0, 0, 1.2f}, {0, -1.1f, 0}});
-  EXPECT_EQ(p.points, 4u);
-  EXPECT_EQ(p.inside, 2u);
-  EXPECT_NEAR(p.deepest, 0.1, chord);
-  EXPECT_NEAR(p.mean, 0.075, chord);
-}
-
 }  // namespace
 }  // namespace pelage::strands

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 
@@ -23,7 +21,9 @@ Datasets dumped(const FrameInput& input) {
   std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
   if (!mkdtemp(folder.data())) std::abort();
   const fs::path path = fs::path(folder) / "frame.h5";
-  dump_frame(path, input, reference_output(input, 2, false));
+  const FrameOutput output = reference_output(input, 2, false);
+  write_dump(path, {input.scene, *input.mesh, output.image, output.pipeline, 2},
+             [&](Hdf5File& file) { dump::write_shells(file, input, output); });
   const Datasets found = datasets_of(path);
   fs::remove_all(folder);
   return found;

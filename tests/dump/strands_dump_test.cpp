@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "harness/dump/strands.hpp"
+#include "harness/dump/dump.hpp"
 #include "tests/dump/table.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -28,7 +28,8 @@ TEST(StrandsDumpTable, IsWrittenFromTheDump) {
   std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
   ASSERT_TRUE(mkdtemp(folder.data()));
   const fs::path path = fs::path(folder) / "frame.h5";
-  dump_strands(path, *input, frame, "strands-reference", 1);
+  write_dump(path, {scene, *input->mesh, frame.picture, "strands-reference", 1},
+             [&](Hdf5File& file) { dump::write_strand_frame(file, *input, frame); });
   Dumped dump{"", datasets_of(path), {}};
   fs::remove_all(folder);
   const auto text = [](auto number) { return fmt::format("{}", number); };

@@ -4,17 +4,14 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 
 #include "harness/dump/dump.hpp"
 #include "harness/prepare/water.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<float> floats(hid_t file, const char* name) {
   const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
@@ -36,12 +33,13 @@ TEST(WaterDump, HoldsTheWetnessOfThePicture) {
   std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
   ASSERT_TRUE(mkdtemp(folder.data()));
   const fs::path path = fs::path(folder) / "frame.h5";
-  dump_frame(path, input, reference_output(input, frames, false));
+  const FrameOutput output = reference_output(input, frames, false);
+  write_dump(path, {input.scene, *input.mesh, output.image, output.pipeline, frames},
+             [&](Hdf5File& file) { dump::write_shells(file, input, output); });
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const std::vector<float> arrival = floats(file, "droplet/arrival"), rho = floats(file, "droplet/rho"),
                            soaked = floats(file, "droplet/wetness");
   H5Fclose(file);
-  fs::remove_all(folder);
   ASSERT_EQ(rho.size(), 8u);
   const double time = picture_time(scene.dynamics, frames);
   ASSERT_NEAR(time, .05, 1e-6);

@@ -7,6 +7,7 @@
 
 #include "harness/error.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -22,13 +23,12 @@ struct Axes : ::testing::Test {
     return read_experiment(folder.path / "e.toml");
   }
   std::string refusal(const std::string& text, const Overrides& overrides = {}) const {
-    try {
-      const Experiment e = read(text);
-      for (const Case& c : cases_of(e, preset_of(e, "quick"), overrides)) scene_of(e, c);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return test::refusal(
+        [&] {
+          const Experiment e = read(text);
+          for (const Case& c : cases_of(e, preset_of(e, "quick"), overrides)) scene_of(e, c);
+        },
+        "");
   }
   void refuses(const std::string& text, const std::string& part, const Overrides& overrides = {}) const {
     const std::string said = refusal(text, overrides);

@@ -7,6 +7,7 @@
 
 #include "harness/error.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -20,12 +21,7 @@ Experiment table1() {
 }
 
 std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { action(); }, "");
 }
 
 std::string refusal_of(const std::string& text) {

@@ -5,6 +5,7 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -31,12 +32,7 @@ struct SceneFile : ::testing::Test {
     return scene_of(e, cases_of(e, preset_of(e, "quick"), overrides).front());
   }
   std::string refusal(const std::string& keys, const std::string& file = "../s/my.toml") const {
-    try {
-      first(read(keys, file));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return test::refusal([&] { first(read(keys, file)); }, "");
   }
   test::Folder folder;
 };
@@ -47,6 +43,21 @@ TEST_F(SceneFile, IsTakenAsItIs) {
   EXPECT_EQ(write_scene(first(read(""))), write_scene(expected));
   // A relative path in the scene file is relative to the folder of the scene file.
   EXPECT_EQ(first(read("")).coat.image, folder.path / "s/coat.png");
+}
+
+TEST_F(SceneFile, NamesThePipelineOfVariantsThatNameNone) {
+  const auto pipelines = [&](const std::string& keys, const Overrides& overrides = {}) {
+    const Experiment e = read(keys);
+    std::string names;
+    for (const Case& which : cases_of(e, preset_of(e, "quick"), overrides))
+      if (which.axes.at("curl.turns") == "1") names += which.pipeline + " " + which.variant + ";";
+    return names;
+  };
+  EXPECT_EQ(pipelines(""), "shells shells/tile;");
+  scene("pipeline = \"strands\"\n");
+  EXPECT_EQ(pipelines(""), "strands strands;");
+  EXPECT_EQ(pipelines("pipeline = \"reference\""), "reference reference;");
+  EXPECT_EQ(pipelines("", {.set = {{"pipeline", "shells"}}, .axes = {}, .model = ""}), "shells shells/tile;");
 }
 
 TEST_F(SceneFile, IsOverriddenByKeysTablesAxesAndSet) {

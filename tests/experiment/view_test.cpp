@@ -8,6 +8,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -20,12 +21,7 @@ View view_of(const std::string& report) {
 }
 
 std::string refusal_of_view(const std::string& report) {
-  try {
-    view_of(report);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { view_of(report); }, "");
 }
 
 TEST(View, ReadsTheTable) {

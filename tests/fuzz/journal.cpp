@@ -1,4 +1,4 @@
-#include "harness/journal/journal.hpp"
+#include "harness/record/journal.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "harness/experiment/balance.hpp"
-#include "harness/journal/shards.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/record/shards.hpp"
 #include "harness/report/cells.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/fuzz/targets.hpp"

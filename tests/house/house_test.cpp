@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"
@@ -116,6 +120,23 @@ TEST(House, LinksAreReadFromCMake) {
   EXPECT_TRUE(links().at("scene").count("cl") == 0);
 }
 
+// Programs that only read results need neither OpenCL nor the mesh code. CMake links base to every room.
+TEST(House, TheFileFormatNeedsNoRenderer) {
+  const auto libraries = [](const std::string& room) {
+    const std::string text =
+        std::regex_replace(pelage::test::text_of(root / "CMakeLists.txt"), std::regex("#[^\n]*"), "");
+    std::smatch call;
+    std::regex_search(text, call, std::regex("pelage_room\\(" + room + "\\s+([^)]*)\\)"));
+    std::istringstream words(call[1]);
+    return std::set<std::string>(std::istream_iterator<std::string>(words), {});
+  };
+  EXPECT_EQ(libraries("base"), (std::set<std::string>{"fmt::fmt"}));
+  EXPECT_EQ(libraries("record"), (std::set<std::string>{"nlohmann_json::nlohmann_json", "PRIVATE",
+                                                        "ZLIB::ZLIB", "PkgConfig::RE2"}));
+  EXPECT_TRUE(links().at("record").empty());
+  EXPECT_EQ(links().at("experiment"), (std::set<std::string>{"record", "scene"}));
+}
+
 TEST(House, PlantedInclusionsAreFound) {
   const std::pair<const char*, const char*> forbidden[] = {
       {"harness/scene/scene_read.cpp", "<CL/cl.h>"},
@@ -131,7 +152,10 @@ TEST(House, PlantedInclusionsAreFound) {
       {"harness/springs/model/layout.cpp", "\"harness/springs/opencl/stages.hpp\""},
       {"harness/shells/reference/render.cpp", "\"harness/shells/opencl/shells.hpp\""},
       {"harness/measure/runner.cpp", "\"harness/subjects/pipelines.hpp\""},
-      {"harness/cl/device.cpp", "\"harness/commands/devices.hpp\""},
+      {"harness/record/row.hpp", "\"harness/cl/program.hpp\""},
+      {"harness/record/contradiction.cpp", "\"harness/compare/tolerances.hpp\""},
+      {"harness/base/median.cpp", "\"harness/record/row.hpp\""},
+      {"harness/cl/device.cpp", "\"harness/commands/commands.hpp\""},
       {"harness/cl/device.cpp", "\"../error.hpp\""},
       {"harness/shells/opencl/shells.cpp", "\"kernels/wet/equations.clh\""},
       {"harness/shells/opencl/shells.cpp", "\"tests/support/opencl_as_cpp.hpp\""},
@@ -153,7 +177,7 @@ TEST(House, PlantedInclusionsAreFound) {
       {"harness/shells/opencl/shells.cpp", "\"harness/cl/program.hpp\""},
       {"harness/scene/scene_read.cpp", "\"harness/error.hpp\""},
       {"harness/commands/run.cpp", "\"harness/shells/opencl/shells.hpp\""},
-      {"harness/commands/command.hpp", "<CLI/CLI.hpp>"},
+      {"harness/commands/commands.hpp", "<CLI/CLI.hpp>"},
       {"kernels/wet/equations.clh", "\"wet/params.h\""},
       {"kernels/wet/equations.clh", "\"common/powers.clh\""},
       {"kernels/wet/wet.cl", "\"wet/equations.clh\""},

@@ -88,7 +88,7 @@ std::string harness_fault(const std::string& path, const std::string& what, cons
   if (starts_with(what, "kernels/"))
     return ends_with(what, "/params.h") ? "" : "of kernels/ the harness includes a room's params.h only";
   const std::string other = harness_room_of(what, links);
-  if (other.empty() || other == room || everything) return {};
+  if (other.empty() || other == room || other == "base" || everything) return {};
   if (other == "commands") return "commands are included by main.cpp only";
   const auto allowed = links.find(room);
   if (allowed != links.end() && allowed->second.count(other) > 0) return {};

@@ -93,18 +93,6 @@ TEST(Statistics, RelativeHalfWidth) {
   EXPECT_DOUBLE_EQ(relative_half_width(std::vector<double>{9, 10, 10, 10, 10, 11}), 0.1);
 }
 
-TEST(Statistics, FlagsOutliersOnly) {
-  EXPECT_EQ(outliers(std::vector<double>{10, 10.1, 9.9, 10, 10.05, 9.95, 42}), std::vector<std::size_t>{6});
-  EXPECT_TRUE(outliers(std::vector<double>{10, 10.1, 9.9, 10}).empty());
-}
-
-// The median is 10 and the median absolute deviation is 1, which corresponds to a standard deviation of
-// 1.4826. A value is an outlier if it differs from the median by more than 5 * 1.4826 = 7.41.
-TEST(Statistics, OutliersLieBeyondFiveStandardDeviations) {
-  EXPECT_TRUE(outliers(std::vector<double>{3, 9, 9, 9, 10, 11, 11, 11, 17}).empty());
-  EXPECT_EQ(outliers(std::vector<double>{2, 9, 9, 9, 10, 11, 11, 11, 18}), (std::vector<std::size_t>{0, 8}));
-}
-
 TEST(Statistics, IntervalOfTheMeanOfSeparateRuns) {
   // For the first group of the data set `sleep`, R's t.test prints the interval -0.5297804 to 2.0297804.
   const std::vector<double> v{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};

@@ -14,8 +14,8 @@
 #include <set>
 #include <thread>
 
-#include "harness/journal/journal.hpp"
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/journal.hpp"
+#include "harness/record/results_folder.hpp"
 #include "tests/support/fake.hpp"
 
 namespace pelage {

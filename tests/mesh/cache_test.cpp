@@ -54,9 +54,9 @@ TEST(Cache, no_changed_byte_and_no_shorter_file_is_believed) {
 
 TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {
   const TempFolder folder;
-  ::setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+  ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   const auto first = load_model("square");
-  const std::filesystem::path file = only_file(folder.path());
+  const std::filesystem::path file = only_file(folder.path);
   const std::string good = content(file);
   ASSERT_TRUE(decode(good));
 

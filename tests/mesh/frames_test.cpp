@@ -11,6 +11,7 @@
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
 #include "tests/mesh/temp_folder.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -47,14 +48,11 @@ glm::dvec3 bent(glm::dvec3 p, int frame) {
   return p + glm::dvec3(0.3 * frame, 0.1 * frame * std::sin(p.x), 0);
 }
 
-std::string refusal(const TempFolder& folder, const std::string& first, int count) {
-  try {
-    read_mesh_frames(*load_model((folder.path() / first).string(), fresh()), folder.path() / first, count,
+std::string refusal_of_frames(const TempFolder& folder, const std::string& first, int count) {
+  return test::refusal([&] {
+    read_mesh_frames(*load_model((folder.path / first).string(), fresh()), folder.path / first, count,
                      glm::dvec3(0));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  });
 }
 
 TEST(MeshFrames, FilesCountUp) {
@@ -72,8 +70,8 @@ TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
     folder.write(fmt::format("ring{}.obj", frame), torus([&](glm::dvec3 p) { return bent(p, frame); }));
   MeshOptions options = fresh();
   options.rotate = {20, 40, -70};
-  const auto mesh = load_model((folder.path() / "ring0.obj").string(), options);
-  const auto frames = read_mesh_frames(*mesh, folder.path() / "ring0.obj", 3, glm::dvec3(options.rotate));
+  const auto mesh = load_model((folder.path / "ring0.obj").string(), options);
+  const auto frames = read_mesh_frames(*mesh, folder.path / "ring0.obj", 3, glm::dvec3(options.rotate));
   ASSERT_EQ(frames.size(), 3u);
   std::vector<glm::vec3> rest(mesh->welded);
   for (std::size_t v = 0; v < mesh->position.size(); ++v) rest[mesh->weld[v]] = mesh->position[v];
@@ -100,18 +98,20 @@ TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
   };
   for (const int frame : {1, 2}) folder.write(fmt::format("z{}.obj", frame), torus(centred));
   EXPECT_NE(torus(centred).find(" -0 "), std::string::npos);
-  EXPECT_EQ(refusal(folder, "z1.obj", 2), "accepted");
+  EXPECT_EQ(refusal_of_frames(folder, "z1.obj", 2), "accepted");
 }
 
 TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   const Move still = [](glm::dvec3 p) { return p; };
   const TempFolder folder;
   folder.write("a1.obj", torus(still));
-  EXPECT_NE(refusal(folder, "a1.obj", 2).find("a2.obj"), std::string::npos) << refusal(folder, "a1.obj", 2);
+  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos)
+      << refusal_of_frames(folder, "a1.obj", 2);
   folder.write("a2.obj", torus(still, 2 * around * along - 1));
-  EXPECT_NE(refusal(folder, "a1.obj", 2).find("the points or faces are not those of"), std::string::npos);
+  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("the points or faces are not those of"),
+            std::string::npos);
   folder.write("a2.obj", "no mesh");
-  EXPECT_NE(refusal(folder, "a1.obj", 2).find("a2.obj"), std::string::npos);
+  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos);
 
   // Two tori of the same points, of which only one moves.
   const std::string text = torus(still);
@@ -122,8 +122,9 @@ TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   };
   folder.write("b1.obj", twice(still));
   folder.write("b2.obj", twice([](glm::dvec3 p) { return p + glm::dvec3(0, 1, 0); }));
-  EXPECT_NE(refusal(folder, "b1.obj", 2).find("coincide in the first frame and part here"), std::string::npos)
-      << refusal(folder, "b1.obj", 2);
+  EXPECT_NE(refusal_of_frames(folder, "b1.obj", 2).find("coincide in the first frame and part here"),
+            std::string::npos)
+      << refusal_of_frames(folder, "b1.obj", 2);
 }
 
 // Small holes are filled, and the points of the faces that fill them come from the file. A part that the
@@ -138,8 +139,9 @@ TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
   };
   for (const int frame : {1, 2})
     folder.write(fmt::format("c{}.obj", frame), with_speck(torus([](glm::dvec3 p) { return p; })));
-  EXPECT_NE(refusal(folder, "c1.obj", 2).find("the preparation of this mesh moved"), std::string::npos)
-      << refusal(folder, "c1.obj", 2);
+  EXPECT_NE(refusal_of_frames(folder, "c1.obj", 2).find("the preparation of this mesh moved"),
+            std::string::npos)
+      << refusal_of_frames(folder, "c1.obj", 2);
 }
 
 }  // namespace

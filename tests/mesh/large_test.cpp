@@ -117,7 +117,7 @@ TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {
     const auto named = load_model(name);
-    const std::string file = (folder.path() / (std::string(name) + ".ply")).string();
+    const std::string file = (folder.path / (std::string(name) + ".ply")).string();
     write_ply(file, *named);
     const auto mesh = load_model(file, fresh());
     const UvQuality before = uv_quality(*named), after = uv_quality(*mesh);
@@ -130,7 +130,7 @@ TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
 
 TEST(LargeFile, TellsItsStagesAndHowFarTheyAre) {
   const TempFolder folder;
-  const std::string file = (folder.path() / "torus.ply").string();
+  const std::string file = (folder.path / "torus.ply").string();
   write_ply(file, *load_model("torus-40x30"));
   MeshOptions options = fresh();
   options.silent_s = 0;

@@ -107,7 +107,7 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
     try {
       read_models(folder.write("models.toml", text));
     } catch (const InputError& error) {
-      return std::string(error.what()).substr(folder.path().string().size() + 1);
+      return std::string(error.what()).substr(folder.path.string().size() + 1);
     }
     return std::string("accepted");
   };

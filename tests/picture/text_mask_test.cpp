@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -34,12 +35,7 @@ Bounds bounds_of(const TextMask& mask) {
 }
 
 std::string failure_of(const TextLine& line) {
-  try {
-    paint_text(line, side);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { paint_text(line, side); }, "");
 }
 
 TEST(TextMask, HasItsCentreAndHeightWhereTheyAreGiven) {

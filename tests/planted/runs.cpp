@@ -9,9 +9,10 @@
 #include <sstream>
 
 #include "harness/error.hpp"
-#include "harness/journal/journal.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/record/journal.hpp"
 #include "harness/report/input_sets.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage::planted {
 namespace {
@@ -160,12 +161,7 @@ void expect_refused(const Outcome& outcome, const std::string& text) {
 }
 
 std::string refusal_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { work(); }, "");
 }
 
 std::vector<std::string> kept_apart(const std::vector<fs::path>& results) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/journal/all_results.hpp"
+#include "harness/record/all_results.hpp"
 #include "harness/report/cells.hpp"
 #include "tests/cli/shell.hpp"
 

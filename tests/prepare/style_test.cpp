@@ -9,6 +9,7 @@
 #include "harness/mesh/write_ply.hpp"
 #include "harness/prepare/contact.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/style_scenes.hpp"
 
 namespace pelage {
@@ -18,12 +19,7 @@ using namespace style_scenes;
 
 template <class Call>
 std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { call(); }, "");
 }
 
 TEST(Style, HasOneValuePerTriangleOrPoint) {

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 class TextureCache : public ::testing::Test {
  protected:
   TextureCache() {
-    ::setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1);
+    ::setenv("XDG_CACHE_HOME", folder_.path.c_str(), 1);
     fur_.layers = 4;
     fur_.texture = 32;
     coat_.texture = 64;
@@ -31,7 +31,7 @@ class TextureCache : public ::testing::Test {
       for (const auto& entry : fs::directory_iterator(textures())) found.push_back(entry.path());
     return found;
   }
-  fs::path textures() const { return folder_.path() / "pelage" / "textures"; }
+  fs::path textures() const { return folder_.path / "pelage" / "textures"; }
 
   TempFolder folder_;
   std::shared_ptr<const Mesh> mesh_ = load_model("square", fresh());
@@ -99,7 +99,7 @@ TEST_F(TextureCache, WhatWasNotUsedForLongestGoesFirst) {
   fs::last_write_time(old, now - std::chrono::hours(2));
   fs::last_write_time(used, now - std::chrono::hours(3));
   ASSERT_TRUE(read_cache_file(used));
-  trim_cache(folder_.path(), 250);
+  trim_cache(folder_.path, 250);
   EXPECT_FALSE(fs::exists(old));
   EXPECT_TRUE(fs::exists(used));
   EXPECT_TRUE(fs::exists(fresh_one));

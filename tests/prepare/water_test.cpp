@@ -228,10 +228,12 @@ TEST(Water, IsWrittenAsCsv) {
   input.scene.wetness.soak = 2;
   const std::string two_pi = fmt::format("{:.9g}", 2 * std::numbers::pi),
                     half = fmt::format("{:.9g}", std::numbers::pi);
-  EXPECT_EQ(water_csv(input, {0, 2, 3}),
-            fmt::format("time_s,droplets,fell,unsoaked,held,evaporated,dripped\n0,0,0,0,0,0,0\n"
-                        "2,1,{0},{1},{1},0,0\n3,1,{0},0,{0},0,0\n",
-                        two_pi, half));
+  std::string text = water_csv_header();
+  for (const double time : {0.0, 2.0, 3.0})
+    text += water_csv_line(input.scene.wetness, input.droplets, mesh->length_per_uv, time);
+  EXPECT_EQ(text, fmt::format("time_s,droplets,fell,unsoaked,held,evaporated,dripped\n0,0,0,0,0,0,0\n"
+                              "2,1,{0},{1},{1},0,0\n3,1,{0},0,{0},0,0\n",
+                              two_pi, half));
 }
 
 TEST(Water, HasTheTimeOfThePicture) {

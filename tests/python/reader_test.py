@@ -34,7 +34,7 @@ RECORDED = SOURCE / "results"
 
 
 def row(**changes):
-    base = {"schema": 2, "run_id": "20261123T000000Z-1", "experiment": "own", "case": "torus-8-calm",
+    base = {"schema": 3, "run_id": "20261123T000000Z-1", "experiment": "own", "case": "torus-8-calm",
             "variant": "shells/tile", "axes": {"layers": 8, "mood": "calm", "curl.radius": "0.10"}, "overrides": {},
             "device": "a device", "repeat": 0, "status": "ok", "reason": "",
             "check": [{"against": "reference", "metric": "psnr", "value": "inf", "limit": 60, "sense": ">="}],
@@ -116,7 +116,7 @@ class Reader(unittest.TestCase):
         damaged = {line(row()).replace("calm", "clam", 1): "checksum does not match",
                    "nonsense\n": "does not end with a checksum",
                    line(row()) + line(row()): "a.jsonl:2: damaged: second row of the case torus-8-calm",
-                   line(row(schema=3)): "schema 3; this version of pelage reads schemas 1 to 2",
+                   line(row(schema=4)): "schema 4; this version of pelage reads schemas 1 to 3",
                    line(row(status="fine")): "unknown status 'fine'",
                    line(row(check=[])): "nothing was checked",
                    line(row(identity={"scene": "torus"})): "part scene is 'torus', not a hash",
@@ -137,6 +137,20 @@ class Reader(unittest.TestCase):
         self.refuses("no such folder or file", self.folder / "none")
         (self.folder / "empty").mkdir()
         self.refuses("contains no results", self.folder / "empty")
+
+    def test_a_ratio_has_one_direction_whatever_the_phase_is_called(self):
+        def timed(schema, name, value, phase="nest"):
+            base = row(schema=schema)
+            base["samples"][phase] = {"event_ms": [], "wall_ms": [ms / 2 for ms in base["samples"]["frame"]["wall_ms"]]}
+            return line({**base, "metrics": {name: {"value": value, "unit": "times"}}})
+        for schema, name, value, phase in ((3, "nest_ratio", 0.5, "nest"), (3, "half_ratio", 0.5, "half"),
+                                           (3, "frame_over_nest", 2, "nest"), (2, "nest_ratio", 0.5, "nest")):
+            self.journal(timed(schema, name, value, phase))
+            self.assertEqual(pelage.read(self.folder)[f"metric.{name}"][0], value)
+            self.refuses("does not follow", self.journal(timed(schema, name, 1 / value, phase)))
+        self.journal(timed(2, "half_ratio", 2, "half"))  # the name of schema 2
+        self.assertEqual(pelage.read(self.folder)["metric.frame_over_half"][0], 2)
+        self.refuses("does not follow", self.journal(timed(2, "half_ratio", 0.5, "half")))
 
     def test_contradicting_copies_are_an_error(self):
         self.journal(line(row()))

@@ -51,10 +51,10 @@ TEST(CaseSection, SaysWhichCaseARatioAboveOneMakesSlower) {
     }
     return text_of(sections_without_notes(rows).at(0).table);
   };
-  EXPECT_NE(text_with("baseline_ratio").find("Above 1, the case is slower."), std::string::npos);
-  EXPECT_EQ(text_with("baseline_ratio").find("ours is faster"), std::string::npos);
-  EXPECT_NE(text_with("half_ratio").find("divided by the time of a frame with half"), std::string::npos);
-  EXPECT_EQ(text_with("half_ratio").find("ours is faster"), std::string::npos);
+  EXPECT_NE(text_with("frame_over_baseline").find("Above 1, the case is slower."), std::string::npos);
+  EXPECT_EQ(text_with("frame_over_baseline").find("ours is faster"), std::string::npos);
+  EXPECT_NE(text_with("frame_over_half").find("divided by the time of a frame with half"), std::string::npos);
+  EXPECT_EQ(text_with("frame_over_half").find("ours is faster"), std::string::npos);
 }
 
 // The titles of these experiments promise frames per second. Their preset smoke has no published numbers.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/claims/claim_file.hpp"
+#include "harness/claims/judge.hpp"
 #include "harness/error.hpp"
 #include "tests/report/rows.hpp"
 
@@ -55,6 +57,30 @@ TEST(Cells, AnyPhaseCanTakeThePlaceOfTheFrame) {
   EXPECT_EQ(simulation[0].median_ms, 1);
   EXPECT_EQ(simulation[1].median_ms, 0) << "a cell without the phase has no time";
   EXPECT_THROW(use_phase(cells, rows, "bake"), InputError);
+}
+
+// The wall time is the time that counts. Only a phase without wall times has event times in a table or claim.
+TEST(Cells, AndClaimsTakeTheSameTimesOfAPhase) {
+  FoundRow both = test::own_rows({{"mood", {"dry"}}}).front(), within = both;
+  both.row.samples["nest"] = {{1, 1, 1, 1, 1, 1}, {2, 2, 2, 2, 2, 2}};
+  within.row.samples["nest"] = {{1, 1, 1, 1, 1, 1}, {}};
+  const auto claimed = [](const FoundRow& found) {
+    claims::Claim claim;
+    claim.experiments = {found.row.experiment};
+    claim.quantity = claims::Quantity::phase_time;
+    claim.phase = "nest";
+    claim.region.high = 100;
+    claims::ClaimFile file;
+    file.claims = {claim};
+    return claims::judge(file, {found}).front().value;
+  };
+  for (const auto& [found, ms] : {std::pair(both, 2.0), std::pair(within, 1.0)}) {
+    std::vector<Cell> cells = cells_of({found});
+    EXPECT_EQ(cells.front().phase_ms.at("nest"), ms);
+    use_phase(cells, {found}, "nest");
+    EXPECT_EQ(cells.front().median_ms, ms);
+    EXPECT_EQ(claimed(found), ms);
+  }
 }
 
 TEST(Cells, RowsWithOtherIdentitiesAreNotCombined) {

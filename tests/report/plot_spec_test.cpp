@@ -23,7 +23,7 @@ TEST(PlotSpec, DecibelsHaveALinearScale) {
 }
 
 TEST(PlotSpec, RatiosToABaselineHaveALineAtOne) {
-  EXPECT_EQ(plot_of("baseline_ratio", "baseline_ratio, times").guide, 1);
+  EXPECT_EQ(plot_of("frame_over_baseline", "frame_over_baseline, times").guide, 1);
   EXPECT_EQ(plot_of("quality", "quality, times").guide, std::nullopt);
 }
 

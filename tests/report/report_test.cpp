@@ -75,7 +75,7 @@ TEST(Report, WritesEverythingItPromises) {
   for (const char* file : {"tables/silva2010-table1.csv", "tables/silva2010-table1.tex",
                            "tables/all-phases.csv", "references.bib", "provenance.txt",
                            "images/silva2010-table1-torus.png", "plots/silva2010-table1-frame-time.csv",
-                           "plots/silva2010-table1-frame-time.py", "plots/silva2010-table1-frame-time.json"})
+                           "plots/plot.py", "plots/style.py", "plots/silva2010-table1-frame-time.json"})
     EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
   EXPECT_EQ(test::lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
   EXPECT_NE(text_of(out / "references.bib").find("10.1007/s00371-010-0484-4"), std::string::npos);

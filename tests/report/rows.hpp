@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/experiment/experiment.hpp"
-#include "harness/journal/results_folder.hpp"
+#include "harness/record/results_folder.hpp"
 
 namespace pelage::test {
 

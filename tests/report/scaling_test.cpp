@@ -3,15 +3,13 @@
 #include "harness/report/scaling.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "harness/report/plot.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
@@ -42,11 +40,6 @@ std::vector<Cell> cells() {
   return result;
 }
 
-std::string contents_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(Scaling, OnlyItsOwnCellsWithATimeCount) {
   std::vector<Cell> all = cells();
   all[0].overrides = {{"fur.length", "0.1"}};
@@ -62,13 +55,13 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
   c.axes = {{"model", "bunny"}, {"layers", "64"}, {"size", "800x600"}};
   c.status = Status::ok;
   c.median_ms = 200;
-  c.metrics["half_ratio"] = {1.8, "times", "", 1.7, 1.9};
+  c.metrics["frame_over_half"] = {1.8, "times", "", 1.7, 1.9};
   std::vector<Cell> all{c};
   EXPECT_TRUE(in_turns_cells(all).empty());  // no quarter
-  all[0].metrics["quarter_ratio"] = {3.2, "times", "", 3.1, 3.4};
+  all[0].metrics["frame_over_quarter"] = {3.2, "times", "", 3.1, 3.4};
   all.push_back(all[0]);
   all[1].status = Status::failed_check;
-  all[1].metrics["half_ratio"].value = 9;
+  all[1].metrics["frame_over_half"].value = 9;
   const std::vector<Cell> shown = in_turns_cells(all);
   ASSERT_EQ(shown.size(), 1u);
   EXPECT_NE(in_turns_csv(shown).find("device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4"),
@@ -126,11 +119,11 @@ TEST(Scaling, ComparesCellsOfOneHostOnly) {
 }
 
 TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
-  std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
-  const fs::path folder = mkdtemp(name.data());
-  std::ofstream(folder / "t.csv") << scaling_csv(cells());
+  const test::Folder place;
+  const fs::path& folder = place.path;
+  test::write_text(folder / "t.csv", scaling_csv(cells()));
   ASSERT_EQ(draw_plot(plot_program("scaling"), folder / "t.csv", folder / "t"), "");
-  const std::string fit = contents_of(folder / "t.txt");
+  const std::string fit = test::text_of(folder / "t.txt");
   const auto cost = [&](const std::string& term) {
     const auto at = fit.find("per " + term + " ");
     return at == std::string::npos ? -1 : std::strtod(fit.c_str() + at + 25, nullptr);
@@ -150,14 +143,13 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
     }
     EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
   }
-  EXPECT_NE(contents_of(folder / "t.svg").find("128"), std::string::npos);
+  EXPECT_NE(test::text_of(folder / "t.svg").find("128"), std::string::npos);
   // With too few cases the plot program must report an error and must not compute a fit.
   std::vector<Cell> few = cells();
   few.resize(6);
-  std::ofstream(folder / "few.csv") << scaling_csv(few);
+  test::write_text(folder / "few.csv", scaling_csv(few));
   EXPECT_NE(draw_plot(plot_program("scaling"), folder / "few.csv", folder / "few").find("too few"),
             std::string::npos);
-  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ TEST(Layers, AreTimedInTurnsWithHalfAndAQuarterOfThem) {
   EXPECT_EQ(row.samples.at("half").wall_ms.size(), row.samples.at("frame").wall_ms.size());
   // Each synthetic frame takes 0.001 ms longer than the frame before it. At most ten frames are drawn, so the
   // times increase by at most 0.01 ms.
-  EXPECT_NEAR(row.metrics.at("half_ratio").value, 2, 2 * 0.01 / 32);
-  EXPECT_NEAR(row.metrics.at("quarter_ratio").value, 4, 4 * 0.01 / 16);
-  EXPECT_LE(row.metrics.at("half_ratio").low, row.metrics.at("half_ratio").value);
+  EXPECT_NEAR(row.metrics.at("frame_over_half").value, 2, 2 * 0.01 / 32);
+  EXPECT_NEAR(row.metrics.at("frame_over_quarter").value, 4, 4 * 0.01 / 16);
+  EXPECT_LE(row.metrics.at("frame_over_half").low, row.metrics.at("frame_over_half").value);
 }
 
 TEST(Layers, ThatFailTheirCheckFailTheRow) {

@@ -1,7 +1,5 @@
 // Tests the subjects that draw strands: the smoke preset of the experiment on their number, alone and in
 // turns with the OpenGL baseline.
-#include "harness/subjects/strands.hpp"
-
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"

@@ -6,6 +6,7 @@
 #include "harness/error.hpp"
 #include "harness/tuning/tuning_search.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -131,12 +132,8 @@ TEST(TuningFile, MistakesAreRefusedByLineAndKey) {
   const auto file = folder.path / "t.toml";
   const auto refused = [&](const std::string& text, const std::string& says) {
     test::write_text(file, text);
-    try {
-      read_tuning(file);
-      ADD_FAILURE() << text;
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
-    }
+    const std::string said = test::refusal([&] { read_tuning(file); });
+    EXPECT_NE(said.find(says), std::string::npos) << said;
   };
   refused("TILE_W = 16\nTILLE_H = 16\n", "t.toml:2: TILLE_H: no such tuning axis");
   refused("TILE_W = 1.5\n", "t.toml:1: TILE_W");

@@ -46,9 +46,7 @@ const rows = (() => {
     const csv = page.csvLine(["phase", "clock", "sample", "ms"]) + lists.map(l =>
       l.times.map((ms, i) => page.csvLine([l.phase, l.clock, i, ms])).join("")).join("");
     const save = element("button", {type: "button", click: () => page.save(`${row.case}.csv`, csv)}, "Samples as CSV");
-    const figure = element("figure", {class: "samples"});
-    if (typeof drawSamples === "function") queueMicrotask(() => drawSamples(figure, lists));
-    return [figure, summary, folded("Raw samples, in the order of measurement", true, element("pre", {class: "raw"}, raw)),
+    return [summary, folded("Raw samples, in the order of measurement", true, element("pre", {class: "raw"}, raw)),
       element("p", {class: "buttons"}, save)];
   }
 

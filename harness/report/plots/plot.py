@@ -1,28 +1,20 @@
 #!/usr/bin/env python3
 """Draws one column of a table of results against another column, as a JSON description states.
 
-usage: plot.py TABLE.csv OUT.svg [OUT.pdf ...]
-
 `pelage report` writes this program, the table (TABLE.csv) and the description (TABLE.json) into one folder. The program
 needs only matplotlib. If all values of x are numbers, it draws lines; otherwise it draws points. A picture size
 such as 800x600 counts as a number, its number of pixels. The error bars are the 95% intervals.
 """
-import csv
 import itertools
 import json
 import math
 import re
-import sys
 from pathlib import Path
 
 import matplotlib
+import matplotlib.pyplot as plt
+import style
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-# Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<"]  # Eight markers and seven colours give 56 different series.
 MOST_COLUMNS = 4  # This is the largest number of panels side by side.
 MOST_LEGEND = 24  # This is the largest number of series in the legend.
 
@@ -73,23 +65,34 @@ def bars(rows, value, low, high):
     return [below, above]
 
 
-def draw_published(axis, rows, x_of, published, style):
+def point_text(r, line, x, y, low, high, d):
+    """Returns the text that a browser shows for a point: the line, the value with its interval, and x."""
+    limits = [number(r[c]) if c in r else None for c in (low, high)]
+    interval = " [{:.4g}, {:.4g}]".format(*limits) if None not in limits else ""
+    return "\n".join(p for p in (line, f"{d['y_label']}: {number(r[y]):.4g}{interval}", f"{d['x_label']}: {r[x]}") if p)
+
+
+def draw_published(axis, rows, x_of, d, look):
     """Draws the numbers of the paper. If a number is only a lower limit, draws an arrow that points up from it."""
-    column = published["column"]
+    column = d["published"]["column"]
     have = [r for r in rows if number(r[column]) is not None]
     known = [r for r in have if number(r[column + "_high"]) is not None or number(r[column + "_low"]) is None]
     handle = None
     if known:
         y = [number(r[column]) for r in known]
         handle = axis.errorbar([x_of(r) for r in known], y, yerr=bars(known, y, column + "_low", column + "_high"),
-                               markerfacecolor="white", linewidth=0.9, linestyle="--", **style)
+                               markerfacecolor="white", linewidth=0.9, linestyle="--", **look)
+        style.tell(handle[0], [point_text(r, d["published"]["label"], d["x"], column, column + "_low", column + "_high", d)
+                               for r in known])
     for r in have:
         if r not in known:
             x, y = x_of(r), number(r[column])
             axis.annotate("", (x, y * 2), (x, y),
-                          arrowprops={"arrowstyle": "->", "color": style["color"], "linestyle": "--"})
-            axis.plot(x, y, linestyle="none", markerfacecolor="white",
-                      **{k: v for k, v in style.items() if k != "capsize"})
+                          arrowprops={"arrowstyle": "->", "color": look["color"], "linestyle": "--"})
+            [mark] = axis.plot(x, y, linestyle="none", markerfacecolor="white",
+                               **{k: v for k, v in look.items() if k != "capsize"})
+            label = f"{d['published']['label']}, at least"
+            style.tell(mark, [point_text(r, label, d["x"], column, column + "_low", column + "_high", d)])
             axis.plot(x, y * 2.2, alpha=0)  # invisible; extends the axis, so that the arrow fits
     return handle
 
@@ -113,8 +116,8 @@ def draw_panel(axis, rows, series, categories, keys, d):
     # series.
     beside = 0 if categories or not d["low"] else 0.04 * least_step(rows, d) / max(1, len(series) / 4)
     for i, values in enumerate(series):
-        colour, marker = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
-        style = {"color": colour, "marker": marker, "markersize": 4.5, "capsize": 2}
+        colour, marker = style.COLOURS[i % len(style.COLOURS)], style.MARKERS[i % len(style.MARKERS)]
+        look = {"color": colour, "marker": marker, "markersize": 4.5, "capsize": 2}
         mine = [r for r in rows if tuple(r[c] for c in d["series"]) == values]
         if categories:
             shift = 0.7 / max(1, len(series)) * (i - (len(series) - 1) / 2)
@@ -135,9 +138,10 @@ def draw_panel(axis, rows, series, categories, keys, d):
             # If several points have the same x (models with equal numbers of triangles), no line joins the points.
             joined = not categories and len({x_of(r) for r in have}) == len(have)
             handles[ours] = axis.errorbar([x_of(r) for r in have], y, yerr=bars(have, y, d["low"], d["high"]),
-                                           linewidth=1.3, elinewidth=1, linestyle="-" if joined else "none", **style)
+                                           linewidth=1.3, elinewidth=1, linestyle="-" if joined else "none", **look)
+            style.tell(handles[ours][0], [point_text(r, ours, d["x"], d["y"], d["low"], d["high"], d) for r in have])
         if "published" in d:
-            handle = draw_published(axis, mine, x_of, d["published"], style)
+            handle = draw_published(axis, mine, x_of, d, look)
             if handle:
                 name = d["published"]["label"]
                 handles[f"{name}, {label}" if label else name] = handle
@@ -160,11 +164,8 @@ def decorate(axis, title, categories, values, d):
     if "guide" in d:
         axis.axhline(d["guide"], color="0.4", linewidth=0.8)
     axis.set_title(title, fontsize=9)
-    axis.grid(True, which="major", color="0.85", linewidth=0.6)
     axis.grid(True, which="minor", color="0.93", linewidth=0.4)
-    axis.set_axisbelow(True)
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
+    style.open_axis(axis)
 
 
 def from_zero(axis, rows, d):
@@ -190,9 +191,7 @@ def plain_ticks(axis):
         ticks.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
 
-def main(table, outputs):
-    with open(table, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+def main(rows, table, outputs):
     d = json.loads(Path(table).with_suffix(".json").read_text(encoding="utf-8"))
     keys = Keys(d)
     panels = keys.combinations(rows, d["panels"]) or [()]
@@ -202,7 +201,6 @@ def main(table, outputs):
     in_order = list(dict.fromkeys(r[d["x"]] for r in rows))
     categories = [] if numeric else sorted(in_order, key=lambda v: (keys.place(d["x"], v)[0], in_order.index(v)))
 
-    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
     across = min(MOST_COLUMNS, len(panels))
     down = math.ceil(len(panels) / across)
     width = max(3.0, 0.45 * len(categories) * max(1, len(series) / 4) + 1) if categories else 3.2
@@ -231,12 +229,8 @@ def main(table, outputs):
                       ncol=min(len(shown), 2 * across, 4), frameon=False)
     if d["note"]:
         figure.suptitle(d["note"], fontsize=8, color="0.35")
-    for output in outputs:
-        meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
-        figure.savefig(output, bbox_inches="tight", metadata=meta, dpi=150)
+    return figure
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2:])
+    style.run(main, __doc__)

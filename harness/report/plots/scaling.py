@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
 """Draws the frame time against layers, pixels and triangles. Fits a model to some cases and tests it on the others.
 
-usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
-
 TABLE.csv is the table that a report stores next to this program. The program writes the fit next to the first output,
 as a .txt file.
 The model is this sum of costs with coefficients that are not negative:
@@ -15,14 +13,11 @@ triangles. All other cases are smaller. The fit uses two thirds of the smaller c
 all larger cases test the fit. Every number of triangles, every number of layers and every picture size of the smaller
 cases occurs both in the fit and in the test. The program needs only matplotlib and numpy.
 """
-import csv
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.pyplot as plt
+import style
 import numpy as np  # noqa: E402
 
 COLOURS = {"pixels": ["#0072B2", "#D55E00", "#009E73", "#CC79A7"], "layers": ["#56B4E9", "#E69F00", "#882255", "#000000"]}
@@ -61,9 +56,8 @@ def beyond(case):
     return case["layers"] > 64 or case["pixels"] > 1680 * 1050 or case["triangles"] > 1e6
 
 
-def read(table):
-    with open(table, newline="", encoding="utf-8") as file:
-        rows = [r for r in csv.DictReader(file) if r["median_ms"]]
+def cases_of(rows):
+    rows = [r for r in rows if r["median_ms"]]
     cases = [{"name": r["case"], "device": r["device"], "triangles": float(r["triangles"]), "layers": float(r["layers"]),
               "pixels": float(r["width"]) * float(r["height"]), "ms": float(r["median_ms"]),
               "low": float(r["median_ms_low"]), "high": float(r["median_ms_high"])} for r in rows]
@@ -125,9 +119,10 @@ def panel(axis, cases, fit, x, by, every):
             grid = np.geomspace(mine[0][x], mine[-1][x], 60)
             axis.plot(grid, [features({**mine[0], x: g}) @ fit for g in grid], color=colour, linewidth=1)
             for c in mine:
-                axis.errorbar(c[x], c["ms"], yerr=[[max(0, c["ms"] - c["low"])], [max(0, c["high"] - c["ms"])]],
-                              color=colour, marker=marker, markersize=5, capsize=2, linestyle="none",
-                              markerfacecolor=colour if c["use"] == "fit" else "white")
+                bar = axis.errorbar(c[x], c["ms"], yerr=[[max(0, c["ms"] - c["low"])], [max(0, c["high"] - c["ms"])]],
+                                    color=colour, marker=marker, markersize=5, capsize=2, linestyle="none",
+                                    markerfacecolor=colour if c["use"] == "fit" else "white")
+                style.tell(bar[0], [f"{c['name']}: {c['ms']:.4g} ms [{c['low']:.4g}, {c['high']:.4g}]"])
         if drawn:
             axis.plot([], [], color=colour, label=amount(by, value))
     for t in triangles:
@@ -136,14 +131,12 @@ def panel(axis, cases, fit, x, by, every):
     axis.set_xscale("log")
     axis.set_yscale("log")
     axis.set_xlabel(x if x != "triangles" else "triangles, 16 layers")
-    axis.grid(True, which="major", color="0.88", linewidth=0.6)
     axis.legend(frameon=False, fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.18), ncol=2)
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
+    style.open_axis(axis)
 
 
-def main(table, outputs):
-    cases = read(table)
+def main(rows, table, outputs):
+    cases = cases_of(rows)
     used = [c for c in cases if c["use"] == "fit"]
     if len(used) < 2 * len(TERMS):
         sys.exit(f"{len(used)} cases are too few for a fit of {len(TERMS)} terms")
@@ -153,7 +146,6 @@ def main(table, outputs):
     with open(os.path.splitext(outputs[0])[0] + ".txt", "w", encoding="utf-8") as file:
         file.write(report(cases, fit, samples))
 
-    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
     figure, axes = plt.subplots(1, 3, figsize=(10.2, 4.3), sharey=True, constrained_layout=True)
     several = [c for c in cases if c["layers"] > 16] or cases
     fewest, most = min(c["triangles"] for c in several), max(c["triangles"] for c in several)
@@ -166,12 +158,8 @@ def main(table, outputs):
     axes[0].minorticks_off()
     axes[0].set_ylabel("frame time, ms")
     figure.suptitle(f"{cases[0]['device']}; lines: the fit; filled: fitted, open: left out of it", fontsize=9, color="0.35")
-    for output in outputs:
-        meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
-        figure.savefig(output, bbox_inches="tight", metadata=meta, dpi=150)
+    return figure
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2:])
+    style.run(main, __doc__)

@@ -2,20 +2,10 @@
 """Draws a section of the fur, or the water over time. The first column of the table selects the drawing
 (docs/experiments.md; docs/shells.md, section 10).
 
-usage: section.py TABLE.csv OUT.svg [OUT.pdf ...]
-
-TABLE.csv is a table that `pelage diagram` or `pelage water` writes. The program needs only matplotlib.
+TABLE.csv is a table that `pelage diagram` or `pelage water` writes.
 """
-import csv
-import sys
-
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-# Colour-blind readers can distinguish these colours of Okabe and Ito.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"]
+import matplotlib.pyplot as plt
+import style
 
 
 def grouped(rows, key):
@@ -33,8 +23,7 @@ def column(rows, key):
 def plain(axis, x, y, equal=True):
     axis.set_xlabel(x)
     axis.set_ylabel(y)
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
+    style.open_axis(axis, grid=False)
     if equal:
         axis.set_aspect("equal")
 
@@ -42,7 +31,7 @@ def plain(axis, x, y, equal=True):
 def draw_shape(rows):
     figure, axis = plt.subplots(figsize=(3.6, 3.2), constrained_layout=True)
     for i, (w, line) in enumerate(grouped(rows, "w").items()):
-        axis.plot(column(line, "f"), column(line, "h"), color=COLOURS[i % len(COLOURS)], label=f"w = {w:g}")
+        axis.plot(column(line, "f"), column(line, "h"), color=style.COLOURS[i % len(style.COLOURS)], label=f"w = {w:g}")
     plain(axis, "f(h), factor of the displacement", "h, height")
     axis.legend(frameon=False)
     return figure
@@ -94,7 +83,7 @@ def draw_curl(rows):
     top = max(row["z"] for row in rows)
     for axis, (rho, line) in zip(axes[0], lines.items()):
         axis.plot([0, 0], [0, 0], [0, top], color="0.6", linewidth=0.8, linestyle="--")
-        axis.plot(column(line, "x"), column(line, "y"), column(line, "z"), color=COLOURS[0])
+        axis.plot(column(line, "x"), column(line, "y"), column(line, "z"), color=style.COLOURS[0])
         axis.set_title(f"wetness {rho:g}", fontsize=10)
         axis.set_xlim(-reach, reach)
         axis.set_ylim(-reach, reach)
@@ -112,11 +101,11 @@ def draw_layers(rows):
     for layer, of_layer in grouped(rows, "layer").items():
         base = layer < 0
         for line in grouped(of_layer, "segment").values():
-            axis.plot(column(line, "x"), column(line, "y"), color="black" if base else COLOURS[0],
+            axis.plot(column(line, "x"), column(line, "y"), color="black" if base else style.COLOURS[0],
                       linewidth=1.6 if base else 0.8, solid_capstyle="round")
     for line in grouped(rows, "segment").values():
         strand = [row for row in line if row["end"] == 0]
-        axis.plot(column(strand, "x"), column(strand, "y"), color=COLOURS[1], linewidth=1.2)
+        axis.plot(column(strand, "x"), column(strand, "y"), color=style.COLOURS[1], linewidth=1.2)
         axis.plot(column(strand, "x"), column(strand, "y"), "o", color="#D00000", markersize=2.5)
     mark_displacement(axis, rows)
     plain(axis, "x, R", "y, R")
@@ -139,7 +128,7 @@ def draw_water(rows):
     figure, axis = plt.subplots(figsize=(4.8, 3.2), constrained_layout=True)
     parts = ["unsoaked", "held", "evaporated", "dripped"]
     axis.stackplot(column(rows, "time_s"), [column(rows, part) for part in parts], labels=parts,
-                   colors=["#56B4E9", COLOURS[0], "#F0E442", COLOURS[1]])
+                   colors=["#56B4E9", style.COLOURS[0], "#F0E442", style.COLOURS[1]])
     axis.plot(column(rows, "time_s"), column(rows, "fell"), color="black", linewidth=1.2, label="fell")
     plain(axis, "time, s", "water, R$^2$", equal=False)
     axis.set_xlim(rows[0]["time_s"], rows[-1]["time_s"])
@@ -152,18 +141,11 @@ def draw_water(rows):
 DRAWN = {"time_s": draw_water, "w": draw_shape, "strand": draw_clump, "rho": draw_curl, "segment": draw_layers}
 
 
-def main(table, outputs):
-    with open(table, newline="", encoding="utf-8") as file:
-        rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-    # Without dates and random identifiers, equal tables give equal files.
-    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
+def main(rows, table, outputs):
+    rows = [{key: float(value) for key, value in row.items()} for row in rows]
     figure = DRAWN[next(iter(rows[0]))](rows)
-    for output in outputs:
-        meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
-        figure.savefig(output, metadata=meta, dpi=150, bbox_inches="tight")
+    return figure
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2:])
+    style.run(main, __doc__)

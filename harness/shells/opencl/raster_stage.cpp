@@ -128,14 +128,13 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   use_mask(queue, nullptr);
 }
 
-void RasterStage::set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry) {
+bool RasterStage::set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry) {
   RasterParams params = tiled(raster_params(input, geometry), tuning_, device);
-  if (params.width != params_.width || params.height != params_.height)
-    throw InputError(fmt::format("view: a picture of {}x{} pixels; the present picture has {}x{}",
-                                 params.width, params.height, params_.width, params_.height));
+  if (params.width != params_.width || params.height != params_.height) return false;
   params.layer_batch = std::min(params.layer_batch, layers_at_once_);
   params_ = params;
   set_pass(0);
+  return true;
 }
 
 MappingSetup RasterStage::setup(const cl::Device& device, std::string options) const {

@@ -37,7 +37,7 @@ class RasterStage {
   void collide_with(const ContactStage* contact) { contact_ = contact; }
   const RasterParams& params() const { return params_; }
   /// Changes the values of the camera and of the shading for the following frames (Shells::set_view()).
-  void set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry);
+  bool set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry);
   /// Returns the vertex table: VERTEX_COLUMNS columns, each with one float per vertex.
   const cl::Buffer<float>& vertex() const { return buffers_.vertex; }
   /// Returns the number of covered fragments of the last frame in all layers. The function draws the frame

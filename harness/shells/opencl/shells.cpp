@@ -7,7 +7,6 @@
 #include "harness/shells/opencl/raster_stage.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/opencl/spring_stage.hpp"
-#include "harness/shells/opencl/work.hpp"
 
 namespace pelage {
 
@@ -106,10 +105,11 @@ bool is_view_key(std::string_view key) {
   return key.starts_with("camera.") || key.starts_with("shading.") || key == "image.background";
 }
 
-void Shells::set_view(std::shared_ptr<const FrameInput> input) {
+bool Shells::set_view(std::shared_ptr<const FrameInput> input) {
   State& s = *state_;
-  s.raster.set_view(s.queue.device(), *input, s.geometry);
+  if (!s.raster.set_view(s.queue.device(), *input, s.geometry)) return false;
   s.input = std::move(input);
+  return true;
 }
 
 Picture Shells::read() const {
@@ -123,11 +123,6 @@ std::uint64_t Shells::count() {
 }
 Tally Shells::tally(int every) {
   return state_->raster.tally(state_->queue, every);
-}
-std::map<std::string, double> Shells::operations(const Tally& tally, double wet_share) const {
-  const State& s = *state_;
-  return shells::frame_operations(s.raster.params(), shells::simulate_params(s.input->scene, s.geometry),
-                                  s.geometry, tally, wet_share);
 }
 void Shells::refine() {
   state_->raster.refine(state_->queue);

@@ -70,9 +70,9 @@ class Shells {
   void advance(int frames);  ///< simulates `frames` frames without drawing
   cl::FrameTiming still();   ///< draws and times the present fur once more, without a simulation
   /// Changes the camera, the light and the background of the following pictures, and builds nothing. `input`
-  /// differs from the present input only in the camera and in keys for which is_view_key() is true. Throws
-  /// InputError if the size of the picture differs.
-  void set_view(std::shared_ptr<const FrameInput> input);
+  /// differs from the present input only in the camera and in keys for which is_view_key() is true. Returns
+  /// false, and changes nothing, if the size of the picture differs.
+  bool set_view(std::shared_ptr<const FrameInput> input);
   Picture read() const;  ///< copies the picture of the last frame to the host
   /// Computes in which layers each triangle of wet fur can be visible, more tightly than the first picture
   /// needs it. This takes longer than a frame, and later frames take less time. The picture is the same.
@@ -92,9 +92,6 @@ class Shells {
   /// counts by `every`. With every = 1 the counts are exact, but slow to compute. With every = 0 the sample
   /// has about 8192 pixels, and the relative error of the counts is about 1%.
   Tally tally(int every = 0);
-  /// Returns the number of floating-point operations of each kernel in the last frame, by kernel name.
-  /// `tally` has the frame's fragment counts. `wet_share` is the wet fraction of the surface, 0 to 1.
-  std::map<std::string, double> operations(const Tally& tally, double wet_share) const;
   std::uint64_t count();    ///< number of covered fragments of the last frame in all layers
   double build_ms() const;  ///< build time of all kernels, ms
   /// What a new wetness mask costs, wall times in ms. 0 without droplets.

@@ -14,7 +14,7 @@
 
 #include "harness/error.hpp"
 #include "harness/gl/context.hpp"
-#include "harness/gl/objects.hpp"
+#include "harness/gl/target.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/contact.hpp"
@@ -37,10 +37,6 @@ double ms_since(Clock::time_point from) {
 
 bool any_wet(const std::vector<glm::vec4>& mask) {
   return std::any_of(mask.begin(), mask.end(), [](const glm::vec4& texel) { return texel.w > 0.0f; });
-}
-
-GLenum target_format(const OpenGlOptions& options) {
-  return options.target == "rgba8" ? GL_RGBA8 : options.target == "rgba16f" ? GL_RGBA16F : GL_RGBA32F;
 }
 
 void check_mask(const FrameInput& input, const std::vector<glm::vec4>& mask) {
@@ -82,11 +78,10 @@ struct OpenGl::State {
   std::vector<glm::vec4> next_mask;  ///< the mask that frame() uploads; empty: the mask has not changed
   double build_ms = 0;
   Program skin, fur;
-  std::vector<Object> fur_textures;
-  Object coat, mask, density, turns, field;
+  Object strands, coat, mask, density, turns, field;
   Object fixed_buffer, bent_buffer, index_buffer, layer_buffer, arrays;
   Object away_buffer, towards_buffer;  ///< elements of the triangles that face away and of the others
-  Object colour, depth, framebuffer;
+  Target target;
   std::optional<SeenTriangles> seen;  ///< only with triangles=seen
 
   State(std::shared_ptr<const FrameInput> from, const std::vector<glm::vec4>& wetness,
@@ -94,10 +89,10 @@ struct OpenGl::State {
       : input(std::move(from)),
         options(how),
         changes(water_changes(input->scene.wetness, input->droplets)),
-        vertices(checked(*input, wetness), wetness, options.vertices == "corners"),
+        vertices(checked(*input, wetness), wetness),
         bent(vertices.bent(input->strands.anchor)),
         layers(layer_table(input->scene)),
-        fur_textures(rivals::fur_textures(input->fur, options)),
+        strands(fur_texture(input->fur, options)),
         coat(coat_texture(input->coat, options)),
         mask(mask_texture(wetness, input->scene.wetness.size)),
         density(density_texture(input->style.density)),
@@ -110,15 +105,9 @@ struct OpenGl::State {
         arrays(make_vertex_array()),
         away_buffer(make_buffer(vertices.index(), GL_DYNAMIC_STORAGE_BIT)),
         towards_buffer(make_buffer(vertices.index(), GL_DYNAMIC_STORAGE_BIT)),
-        colour(make_renderbuffer(target_format(options), input->camera.width, input->camera.height)),
-        depth(make_renderbuffer(GL_DEPTH_COMPONENT32F, input->camera.width, input->camera.height)),
-        framebuffer(make_framebuffer()) {
+        target(options.target, input->camera.width, input->camera.height, true) {
     build(changes || any_wet(wetness));
     lay_out_vertices();
-    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
-    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-    if (glCheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw DeviceError(fmt::format("OpenGL cannot draw into a framebuffer of format {}", options.target));
     fix_state();
     check_gl("setting up a scene");
   }
@@ -128,10 +117,9 @@ struct OpenGl::State {
     const auto begin = Clock::now();
     const std::vector<Constant> constants = scene_constants(*input);
     const std::string defines = scene_defines(*input, options, wet);
-    const bool baked = options.constants == "baked";
-    skin = scene_program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants, baked);
-    fur = scene_program("shell.vert", "fur.frag", defines, constants, baked);
-    if (options.triangles == "seen") seen.emplace(defines, constants, baked);
+    skin = scene_program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants);
+    fur = scene_program("shell.vert", "fur.frag", defines, constants);
+    if (options.triangles == "seen") seen.emplace(defines, constants);
     build_ms = ms_since(begin);
     set_colliders(fur.id(), *input, 0);
   }
@@ -160,10 +148,10 @@ struct OpenGl::State {
   /// Sets the OpenGL state that is the same for all frames. It is set only once, because no other scene uses
   /// this context.
   void fix_state() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glBindVertexArray(arrays.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, layer_buffer.id());
-    glBindTextureUnit(0, fur_textures.front().id());
+    glBindTextureUnit(0, strands.id());
     glBindTextureUnit(1, coat.id());
     glBindTextureUnit(2, mask.id());
     glBindTextureUnit(3, density.id());
@@ -182,10 +170,7 @@ struct OpenGl::State {
 
   void draw_triangles(GLsizei instances) const {
     const auto corners = GLsizei(vertices.index().size());
-    if (options.vertices == "corners")
-      glDrawArraysInstanced(GL_TRIANGLES, 0, corners, instances);
-    else
-      glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, instances);
+    glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, instances);
   }
 
   /// Uploads the bent vertices and a changed mask.
@@ -264,10 +249,7 @@ struct OpenGl::State {
     fur.use();
   }
 
-  void set_layer(std::size_t n) const {
-    if (options.fur == "slices") glBindTextureUnit(0, fur_textures[n].id());
-    glUniform4fv(fur.place("layer"), 3, &layers[3 * n].x);
-  }
+  void set_layer(std::size_t n) const { glUniform4fv(fur.place("layer"), 3, &layers[3 * n].x); }
 
   /// Draws the triangles of `draw(instances)` in all layers.
   template <class Draw>
@@ -327,12 +309,7 @@ double OpenGl::frame() {
 Picture OpenGl::read() const {
   const State& s = *state_;
   s.context.make_current();
-  Picture picture{s.input->camera.width, s.input->camera.height, {}};
-  picture.pixel.resize(std::size_t(picture.width) * std::size_t(picture.height));
-  // The shader's y axis points down, so glReadPixels returns the top row first.
-  glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.pixel.data());
-  check_gl("glReadPixels");
-  return picture;
+  return s.target.read();
 }
 
 double OpenGl::build_ms() const {

@@ -18,29 +18,15 @@ namespace pelage {
 struct OpenGlOptions {
   /// One draw call for all layers ("instanced"), or one per layer ("each").
   std::string draws = "instanced";
-  /// Triangles share vertices ("indexed"), or each triangle has three vertices of its own ("corners").
-  std::string vertices = "indexed";
-  /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). With
-  /// "driver", rounded positions determine only the coverage. The driver interpolates attributes from the
-  /// unrounded positions.
-  std::string snap = "shader";
-  /// Type of the fur texture: a 2D array ("array"), a 3D texture whose mip levels merge neighbouring layers
-  /// ("volume"), or one 2D texture per layer, bound before the layer's draw call ("slices").
+  /// Type of the fur texture: a 2D array ("array"), or a 3D texture whose mip levels merge neighbouring
+  /// layers ("volume").
   std::string fur = "array";
-  /// Texel format of the fur and coat textures: "half", "float" or "byte". llvmpipe filters byte texels with
-  /// 8-bit precision.
+  /// Texel format of the fur and coat textures: "half" or "byte". llvmpipe filters byte texels with 8-bit
+  /// precision.
   std::string texels = "half";
-  /// The driver interpolates between mip levels ("trilinear"), or the shader samples two mip levels and
-  /// interpolates ("two").
-  std::string levels = "trilinear";
   /// Framebuffer format: "rgba32f", "rgba16f" or "rgba8". With "rgba8" the picture is rounded to 8 bits after
   /// every layer, as on GPUs of 2010.
   std::string target = "rgba32f";
-  /// How the shader computes the highlight's power. "whole": by repeated squaring if the exponent is a whole
-  /// number of at most 1024, else by pow(). "pow": always by pow().
-  std::string power = "whole";
-  /// The scene's numbers are literals in the shader source ("baked"), or uniforms ("uniform").
-  std::string constants = "baked";
   /// The triangles that are drawn in a layer: "all", or only those that cover a pixel in front of the base
   /// surface ("seen"). The host finds the seen triangles before the frame, and the time of the frame does not
   /// contain this. It also sorts the triangles for blend.faces before the frame.

@@ -19,22 +19,27 @@ struct Choice {
 const std::vector<Choice>& choices() {
   static const std::vector<Choice> all{
       {"draws", &OpenGlOptions::draws, {"instanced", "each"}},
-      {"vertices", &OpenGlOptions::vertices, {"indexed", "corners"}},
-      {"snap", &OpenGlOptions::snap, {"shader", "driver"}},
-      {"fur", &OpenGlOptions::fur, {"array", "volume", "slices"}},
-      {"texels", &OpenGlOptions::texels, {"half", "float", "byte"}},
-      {"levels", &OpenGlOptions::levels, {"trilinear", "two"}},
+      {"fur", &OpenGlOptions::fur, {"array", "volume"}},
+      {"texels", &OpenGlOptions::texels, {"half", "byte"}},
       {"target", &OpenGlOptions::target, {"rgba32f", "rgba16f", "rgba8"}},
-      {"power", &OpenGlOptions::power, {"whole", "pow"}},
-      {"constants", &OpenGlOptions::constants, {"baked", "uniform"}},
       {"triangles", &OpenGlOptions::triangles, {"all", "seen"}},
       {"discard", &OpenGlOptions::discard, {"yes", "no"}},
   };
   return all;
 }
 
+/// Options that an earlier version had, with their default values. The defaults are what the baseline does.
+const std::vector<std::string> removed{"vertices=indexed", "snap=shader", "levels=trilinear", "power=whole",
+                                       "constants=baked"};
+
 void set(OpenGlOptions& options, const std::string& part) {
   const auto equals = part.find('=');
+  for (const std::string& option : removed)
+    if (option.starts_with(part.substr(0, equals) + "=")) {
+      if (part == option) return;
+      throw InputError(
+          fmt::format("OpenGL option '{}' is no longer available; the baseline has {}", part, option));
+    }
   const std::string name = part.substr(0, equals);
   const auto found = std::find_if(choices().begin(), choices().end(),
                                   [&](const Choice& choice) { return choice.name == name; });
@@ -57,13 +62,8 @@ OpenGlOptions opengl_options(const std::string& text) {
   OpenGlOptions options;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) set(options, part);
-  if (options.fur == "slices" && options.draws != "each")
-    throw InputError("OpenGL option 'fur=slices' needs one draw call per layer: add draws=each");
-  if (options.triangles == "seen" && (options.draws != "each" || options.vertices != "indexed"))
-    throw InputError(
-        "OpenGL option 'triangles=seen' needs one draw call per layer and shared vertices: add draws=each, "
-        "and "
-        "leave vertices=indexed");
+  if (options.triangles == "seen" && options.draws != "each")
+    throw InputError("OpenGL option 'triangles=seen' needs one draw call per layer: add draws=each");
   return options;
 }
 

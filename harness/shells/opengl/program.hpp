@@ -28,9 +28,9 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
 std::vector<glm::vec4> layer_table(const Scene& scene);
 
 /// Returns the program of the files `vertex` and `fragment` of the shader folder. Both shaders get `defines`
-/// and `constants`. The constants are literals if `baked` is true, else uniforms. Throws DeviceError with
-/// OpenGL's log if OpenGL cannot compile or link the shaders.
+/// and `constants`, whose values are literals. Throws DeviceError with OpenGL's log if OpenGL cannot compile
+/// or link the shaders.
 gl::Program scene_program(const std::string& vertex, const std::string& fragment, const std::string& defines,
-                          const std::vector<Constant>& constants, bool baked);
+                          const std::vector<Constant>& constants);
 
 }  // namespace pelage::rivals

@@ -2,8 +2,8 @@
 
 namespace pelage::rivals {
 
-SeenTriangles::SeenTriangles(const std::string& defines, const std::vector<Constant>& constants, bool baked)
-    : program_(scene_program("shell.vert", "seen.frag", defines, constants, baked)) {}
+SeenTriangles::SeenTriangles(const std::string& defines, const std::vector<Constant>& constants)
+    : program_(scene_program("shell.vert", "seen.frag", defines, constants)) {}
 
 void SeenTriangles::find(const std::vector<std::uint32_t>& index, const std::vector<glm::vec4>& layers,
                          const std::vector<std::vector<std::uint32_t>>& sweeps) {

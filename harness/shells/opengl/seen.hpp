@@ -21,8 +21,8 @@ struct SeenPart {
 
 class SeenTriangles {
  public:
-  /// defines, constants, baked: see scene_program(). The layers must be drawn by one call each.
-  SeenTriangles(const std::string& defines, const std::vector<Constant>& constants, bool baked);
+  /// defines, constants: see scene_program(). The layers must be drawn by one call each.
+  SeenTriangles(const std::string& defines, const std::vector<Constant>& constants);
 
   /// Finds the triangles. The depth buffer of the bound framebuffer must hold the depth of the base surface,
   /// and the vertex array must be that of the layers with the element buffer `index`. layers: from

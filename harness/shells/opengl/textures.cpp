@@ -20,10 +20,9 @@ void repeat(GLuint texture, GLint minify, GLint magnify) {
 }
 
 /// Returns the texture format with four channels if `four` is true, else with two. `texels` is the number
-/// type of a channel: "half", "float" or "byte".
+/// type of a channel: "half" or "byte".
 GLenum format_of(const std::string& texels, bool four) {
   if (texels == "half") return four ? GL_RGBA16F : GL_RG16F;
-  if (texels == "float") return four ? GL_RGBA32F : GL_RG32F;
   return four ? GL_RGBA8 : GL_RG8;
 }
 
@@ -44,7 +43,10 @@ Texels merged(const Texels& texels, int side, int layers, int depth) {
   return result;
 }
 
-gl::Object deep_texture(const FurTexture& fur, const OpenGlOptions& options) {
+}  // namespace
+
+gl::Object fur_texture(const FurTexture& fur, const OpenGlOptions& options) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const bool volume = options.fur == "volume";
   const GLsizei levels = GLsizei(fur.level.size());
   gl::Object texture = gl::make_texture(volume ? GL_TEXTURE_3D : GL_TEXTURE_2D_ARRAY);
@@ -58,35 +60,8 @@ gl::Object deep_texture(const FurTexture& fur, const OpenGlOptions& options) {
                         depth == fur.layers ? own.data() : thinner.data());
   }
   repeat(texture.id(), GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-  return texture;
-}
-
-gl::Object slice_texture(const FurTexture& fur, int layer, const OpenGlOptions& options) {
-  const GLsizei levels = GLsizei(fur.level.size());
-  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
-  glTextureStorage2D(texture.id(), levels, format_of(options.texels, false), fur.size, fur.size);
-  gl::check_gl("glTextureStorage2D of the fur");
-  for (GLsizei l = 0; l < levels; ++l) {
-    const int side = fur.size >> l;
-    const auto* slice =
-        fur.level[std::size_t(l)].data() + std::size_t(layer) * std::size_t(side) * std::size_t(side);
-    glTextureSubImage2D(texture.id(), l, 0, 0, side, side, GL_RG, GL_UNSIGNED_BYTE, slice);
-  }
-  repeat(texture.id(), GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-  return texture;
-}
-
-}  // namespace
-
-std::vector<gl::Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options) {
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  std::vector<gl::Object> textures;
-  if (options.fur == "slices")
-    for (int n = 0; n < fur.layers; ++n) textures.push_back(slice_texture(fur, n, options));
-  else
-    textures.push_back(deep_texture(fur, options));
   gl::check_gl("uploading the fur");
-  return textures;
+  return texture;
 }
 
 gl::Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options) {

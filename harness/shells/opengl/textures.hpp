@@ -9,9 +9,8 @@
 
 namespace pelage::rivals {
 
-/// Returns the fur texture with the mip levels of `fur`. With options.fur = "slices", returns one texture per
-/// layer.
-std::vector<gl::Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options);
+/// Returns the fur texture with the mip levels of `fur`.
+gl::Object fur_texture(const FurTexture& fur, const OpenGlOptions& options);
 gl::Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options);
 /// Returns the wetness mask as a texture of floats with NEAREST filtering. The four floats of a texel are the
 /// centre (u, v) and the radius of a clump, and the wetness.

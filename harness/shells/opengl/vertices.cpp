@@ -41,11 +41,11 @@ glm::dvec3 Vertices::mean(std::size_t vertex, const OfStrand& of_strand) const {
   return sum;
 }
 
-Vertices::Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners)
+Vertices::Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask)
     : input_(&input), separate_(input.scene.fur.binding == "separate") {
   const Mesh& mesh = *input.mesh;
   for (const glm::uvec3& t : mesh.triangle) index_.insert(index_.end(), {t.x, t.y, t.z});
-  if (corners || separate_) {
+  if (separate_) {
     copy_ = index_;
     std::iota(index_.begin(), index_.end(), 0u);
   } else {

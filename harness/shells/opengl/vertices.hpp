@@ -24,9 +24,9 @@ struct Vertex {
 
 class Vertices {
  public:
-  /// Makes one OpenGL vertex for each vertex of the mesh. If `corners` is true or fur.binding is "separate",
-  /// makes three OpenGL vertices for each triangle instead, so triangles share no vertices.
-  Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners);
+  /// Makes one OpenGL vertex for each vertex of the mesh. If fur.binding is "separate", makes three OpenGL
+  /// vertices for each triangle instead, so triangles share no vertices.
+  Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask);
 
   /// Computes the axes of the curl for another mask.
   void set_mask(const std::vector<glm::vec4>& mask);

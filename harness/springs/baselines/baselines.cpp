@@ -184,7 +184,7 @@ void add_eigen(std::vector<NamedRival>& rivals, const SpringNetwork& topology, c
   for (int threads = 1; threads <= (threaded ? 2 : 1); ++threads)
     rivals.push_back(
         {fmt::format("eigen-{}-{}-{}", what, std::is_same_v<T, float> ? "float" : "double", threads),
-         std::make_unique<EigenRival<T>>(topology, dynamics, way, threads)});
+         std::make_unique<EigenRival<T>>(topology, dynamics, way, threads), threads});
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynam
   if (dynamics.solver.implicit && dynamics.full_jacobian) return rivals;
   const bool fast = fast_loops_run_here();
   const auto serial = [&]<class T>(const char* name, const Loops<T>& loops, int threads = 1) {
-    rivals.push_back({name, std::make_unique<SerialRival<T>>(topology, dynamics, loops, threads)});
+    rivals.push_back({name, std::make_unique<SerialRival<T>>(topology, dynamics, loops, threads), threads});
   };
   if (dynamics.solver.implicit)
     serial("serial-o3-double", plain_loops(0.0));

@@ -35,6 +35,7 @@ class SolverRival {
 struct NamedRival {
   std::string name;
   std::unique_ptr<SolverRival> rival;
+  int threads = 1;
 };
 
 /// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The baseline with a

@@ -54,9 +54,8 @@ std::string build_options(int lanes, bool turning) {
 BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
                        bool whole, const MassSpringOptions& options)
     : program_(queue.device(), "springs/blocks.cl",
-               fmt::format("{} -D CORNERS={} -D EDGES={}{}", build_options(lanes, turns(dynamics)),
-                           corners_of(layout, dynamics.solver, lanes), int(layout.corners == 3),
-                           dynamics.full_jacobian && dynamics.solver.implicit ? " -D FULL_JACOBIAN=1" : "")),
+               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics)),
+                           corners_of(layout, dynamics.solver, lanes), int(layout.corners == 3))),
       frame_(program_, frame_kernel(dynamics.solver)),
       sides_(queue, std::span(layout.sides)),
       group_(options.group),

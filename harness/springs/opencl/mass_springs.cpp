@@ -82,11 +82,10 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
   const int lanes = options.lanes != 0 ? options.lanes : queue.device().info().lanes;
   Layout layout = lay_out(topology, dynamics.wind);
   const bool prisms = topology.kind.shared_edges();
-  if (prisms && dynamics.solver.implicit && dynamics.full_jacobian)
+  if (dynamics.solver.implicit && dynamics.full_jacobian)
     throw InputError(
-        fmt::format("dynamics.springs.jacobian = \"full\": not available for the topology {} on an OpenCL "
-                    "device, because conjugate gradients need a symmetric matrix; use \"pruned\"",
-                    name(topology.kind)));
+        "dynamics.springs.jacobian = \"full\": only the reference has it (--pipeline reference); use "
+        "\"pruned\"");
   const std::size_t places = layout.places();
   const auto uploaded = [&](const std::vector<float>& values) {
     return cl::Buffer<float>(queue, std::span<const float>(values));

@@ -43,7 +43,7 @@ struct LinearSolves {
 class MassSprings {
  public:
   /// Creates the system at rest. Throws InputError if check() of dynamics.hpp rejects `dynamics`, or if
-  /// options.lanes is not 0, 1 or 16. Also throws InputError for backward Euler on the topology prisms if
+  /// options.lanes is not 0, 1 or 16. Also throws InputError for backward Euler if
   /// dynamics.full_jacobian is set.
   MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
               const MassSpringOptions& options = {});

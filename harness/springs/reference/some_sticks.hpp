@@ -10,10 +10,6 @@
 
 namespace pelage::springs {
 
-/// Returns the position of each top mass relative to its base, in R, after `frames` frames that start from
-/// rest. The functions of reference.hpp compute the positions.
-std::vector<glm::dvec3> reference_sticks(const FrameInput& input, int frames);
-
 /// State of a selection of sticks after some frames that start from rest.
 struct SomeSticks {
   std::vector<std::uint32_t> stick;  ///< indices of the sticks, ascending

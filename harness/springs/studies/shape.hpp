@@ -1,7 +1,7 @@
 // Computes properties of the fur in one state of a mass-spring topology: how far the sticks lean, how high
 // the top masses are above the surface, and how large the gaps between the sticks at one surface point are.
 #pragma once
-#include "harness/journal/row.hpp"
+#include "harness/record/row.hpp"
 #include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {

@@ -42,7 +42,7 @@ std::unique_ptr<Subject> solver_after_start(SubjectContext& context, const Case&
     setting.start = {before.offsets(queue), before.speeds(queue)};
     setting.steps = before.steps();
   }
-  return solver_duel(context.device, std::move(setting), scene.dynamics.substeps, baselines);
+  return solver_frames(context.device, std::move(setting), scene.dynamics.substeps, baselines);
 }
 
 // Returns the state of the scene after one second, computed with very short time steps. The result is stored

@@ -36,9 +36,10 @@ std::unique_ptr<Subject> make_solver_shape(SubjectContext& context, const Case& 
 std::unique_ptr<Subject> make_solver_turns(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Case& which);
 
-/// Makes a subject that times the steps of one frame on the device and, if `rivals` is set, with every
-/// baseline solver. The device and the baselines all start from `setting.start` and run one after the other.
-std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, int substeps, bool rivals);
+/// Makes a subject that times the steps of one frame on the device and, if `baselines` is set, in turns with
+/// every baseline solver. All start from `setting.start`.
+std::unique_ptr<Subject> solver_frames(const cl::Device& device, Setting setting, int substeps,
+                                       bool baselines);
 
 /// Makes a subject that times one simulated second from rest. Its error metrics are the distances of the top
 /// masses from `exact`, the exact state after this second.

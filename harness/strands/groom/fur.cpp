@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/picture/image_io.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/random.hpp"
-#include "harness/strands/groom/film.hpp"
 #include "harness/strands/groom/key_strands.hpp"
 #include "harness/strands/groom/layer_maps.hpp"
 #include "harness/strands/groom/locks.hpp"
@@ -27,6 +27,36 @@ constexpr double least_size = 1e-6;       // least length and width of a strand,
 
 std::uint8_t byte_of(double value) {
   return std::uint8_t(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+}
+
+Picture picture_of(const std::filesystem::path& path, const std::string& key) {
+  try {
+    return read_picture(path);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", key, error.what()));
+  }
+}
+
+/// Reads a film strip: a picture with 8 columns, from the root at the left to the tip at the right, and one
+/// row per frame. Red is the luminance and green the gloss, where 128/255 means 1. Blue is the transparency.
+/// Throws InputError if the picture cannot be read or has another size. `key` is the scene key in messages.
+std::vector<FilmFrame> read_film(const std::filesystem::path& path, const std::string& key) {
+  constexpr int columns = int(std::tuple_size_v<FilmFrame>), most_rows = 256;
+  const Picture picture = picture_of(path, key);
+  if (picture.width != columns || picture.height > most_rows)
+    throw InputError(fmt::format("{}: {}: has {} x {} pixels; a film strip has {} columns and 1 to {} rows",
+                                 key, path.string(), picture.width, picture.height, columns, most_rows));
+  std::vector<FilmFrame> frames;
+  for (int y = 0; y < picture.height; ++y) {
+    FilmFrame frame;
+    for (int x = 0; x < columns; ++x) {
+      const glm::vec4 c = picture.at(x, y);
+      frame[std::size_t(x)] = {byte_of(double(c.x)), byte_of(double(c.y)),
+                               std::uint8_t(255 - byte_of(double(c.z)))};
+    }
+    frames.push_back(frame);
+  }
+  return frames;
 }
 
 /// Layers with equal seeds have different roots.

@@ -276,24 +276,6 @@ std::vector<glm::vec4> Drawer::opacity_map(const cl::Queue& queue) const {
   return map_ ? map_->texels().read(queue) : std::vector<glm::vec4>();
 }
 
-StrandWork Drawer::work(const cl::Queue& queue) const {
-  StrandWork work;
-  work.strands = std::size_t(params_.strands);
-  work.drawn = order(queue).size();
-  work.listed = listed();
-  work.styles = has_styles(strands_);
-  work.lights = has_lights(scene_.look);
-  work.shadow = map_.has_value();
-  work.segments = params_.segments;
-  if (map_) work.map_listed = map_->listed();
-  if (!skin_) return work;
-  work.skin_vertices = skin_->vertices();
-  const std::vector<glm::vec4> pixels = skin_->pixels().read(queue);
-  work.skin_pixels = std::size_t(
-      std::count_if(pixels.begin(), pixels.end(), [](glm::vec4 pixel) { return pixel.w < NO_DEPTH; }));
-  return work;
-}
-
 void Drawer::deform_skin(const cl::Queue& queue, const SkinSurface& skin) {
   if (!skin_) throw InputError("skin of the strands: the picture has no skin that could deform");
   skin_->deform(queue, skin);

@@ -15,7 +15,6 @@
 #include "harness/strands/opencl/opacity_map.hpp"
 #include "harness/strands/opencl/skin_drawer.hpp"
 #include "harness/strands/opencl/tile_lists.hpp"
-#include "harness/strands/opencl/work.hpp"
 
 namespace pelage::strands {
 
@@ -65,8 +64,6 @@ class Drawer {
   void deform_skin(const cl::Queue& queue, const SkinSurface& skin);
   /// Number of strands in the tiles' lists of the last picture. A strand counts once per tile.
   std::size_t listed() const { return lists_.listed(); }
-  /// Returns what the last picture consists of, without the key strands, the time steps and the fragments.
-  StrandWork work(const cl::Queue& queue) const;
   /// Returns the texels of the last opacity map, row by row (OpacityMap::texels()). It is empty if the look
   /// has no shadow.
   std::vector<glm::vec4> opacity_map(const cl::Queue& queue) const;

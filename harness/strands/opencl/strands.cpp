@@ -158,13 +158,6 @@ std::vector<Entry> Strands::order() const {
   return state_->drawer.order(state_->queue);
 }
 
-StrandWork Strands::work() const {
-  StrandWork work = state_->drawer.work(state_->queue);
-  work.keys = state_->input->fur.keys.size();
-  work.substeps = state_->input->scene.dynamics.substeps;
-  return work;
-}
-
 std::vector<const cl::Program*> Strands::programs() const {
   std::vector<const cl::Program*> all = state_->chains.programs();
   for (const cl::Program* program : state_->drawer.programs()) all.push_back(program);

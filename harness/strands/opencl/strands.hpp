@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "harness/cl/frame_timing.hpp"
@@ -15,9 +14,6 @@
 #include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage::strands {
-
-/// Value of the key `pipeline` of an experiment's variant that selects this pipeline.
-inline constexpr std::string_view strands_pipeline = "strands";
 
 /// Returns the way to draw that has the name `name` (harness/cl/mapping_names.hpp), or the device's default
 /// if `name` is empty. Throws InputError for other names.
@@ -66,8 +62,6 @@ class Strands {
   std::vector<DrawnStrand> curves();
   /// Returns the list of the strands that the last picture shows, from front to back.
   std::vector<Entry> order() const;
-  /// Returns what the last frame consists of, without the fragments.
-  StrandWork work() const;
   double build_ms() const;  ///< build time of all kernels, ms
   std::vector<const cl::Program*> programs() const;
 

@@ -12,8 +12,8 @@
 
 #include "harness/error.hpp"
 #include "harness/gl/context.hpp"
-#include "harness/gl/objects.hpp"
 #include "harness/gl/program.hpp"
+#include "harness/gl/target.hpp"
 #include "harness/strands/opengl/host_strands.hpp"
 
 namespace pelage::strands {
@@ -51,13 +51,6 @@ gl::Program program_of(const RibbonScene& scene, bool instanced) {
           {"strands/strand.frag", head + gl::shader_text("strands/strand.frag")}};
 }
 
-GLenum format_of(const std::string& target) {
-  if (target == "rgba8") return GL_RGBA8;
-  if (target == "rgba16f") return GL_RGBA16F;
-  if (target == "rgba32f") return GL_RGBA32F;
-  throw InputError(fmt::format("target: '{}'; it must be rgba8, rgba16f or rgba32f", target));
-}
-
 bool is_instanced(const RibbonOptions& options) {
   if (options.expand != "instanced" && options.expand != "indexed")
     throw InputError(fmt::format("expand: '{}'; it must be instanced or indexed", options.expand));
@@ -85,7 +78,8 @@ struct Ribbons::State {
   bool instanced;
   gl::Context context;  // declared before the OpenGL objects, so that it is destroyed after them
   gl::Program program;
-  gl::Object records, indices, arrays, colour, framebuffer;
+  gl::Object records, indices, arrays;
+  gl::Target target;
   std::size_t drawn = 0;
 
   State(const RibbonScene& from, const std::vector<KeyedStrand>& strands, const RibbonOptions& options)
@@ -98,11 +92,7 @@ struct Ribbons::State {
         indices(gl::make_buffer(instanced ? std::vector<GLuint>(1)
                                           : triangles_of(strands.size(), from.look.segments))),
         arrays(gl::make_vertex_array()),
-        colour(gl::make_renderbuffer(format_of(options.target), from.camera.width, from.camera.height)),
-        framebuffer(gl::make_framebuffer()) {
-    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
-    if (glCheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw DeviceError(fmt::format("OpenGL cannot draw into a framebuffer of format {}", options.target));
+        target(options.target, from.camera.width, from.camera.height, false) {
     fix_state();
     gl::check_gl("setting up strands");
   }
@@ -124,7 +114,7 @@ struct Ribbons::State {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, records.id());
     }
     glBindVertexArray(array);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glViewport(0, 0, scene.camera.width, scene.camera.height);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // the depth is near / w, from 0 to 1
     glDisable(GL_DEPTH_TEST);
@@ -175,12 +165,7 @@ double Ribbons::frame(const std::vector<KeyStrand>& keys) {
 Picture Ribbons::read() const {
   const State& s = *state_;
   s.context.make_current();
-  Picture picture{s.scene.camera.width, s.scene.camera.height, {}};
-  picture.pixel.resize(std::size_t(picture.width) * std::size_t(picture.height));
-  // The shader's y axis points down, so glReadPixels returns the top row first.
-  glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.pixel.data());
-  gl::check_gl("glReadPixels");
-  return picture;
+  return s.target.read();
 }
 
 std::size_t Ribbons::drawn() const {

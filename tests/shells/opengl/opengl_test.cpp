@@ -37,7 +37,7 @@ TEST(OpenGlOptions, AreReadAndWritten) {
 
 TEST(OpenGlOptions, BadOnesAreRefused) {
   for (const char* text : {"draw=each", "draws", "draws=", "draws=all", "draws=each,,target=rgba8",
-                           "fur=slices", "target=rgba8 "}) {
+                           "fur=slices", "vertices=corners", "target=rgba8 "}) {
     const std::string said = refusal<InputError>([&] { opengl_options(text); });
     EXPECT_NE(said.find("OpenGL option"), std::string::npos) << text << ": " << said;
     EXPECT_EQ(said.find('\n'), std::string::npos);

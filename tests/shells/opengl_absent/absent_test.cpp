@@ -4,20 +4,16 @@
 
 #include "harness/error.hpp"
 #include "harness/shells/opengl/opengl.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
 
 template <class Work>
 void expect_refusal(const Work& work) {
-  try {
-    work();
-    FAIL() << "nothing was thrown";
-  } catch (const InputError& error) {
-    const std::string said = error.what();
-    EXPECT_NE(said.find("no OpenGL in this build: install libepoxy-dev"), std::string::npos) << said;
-    EXPECT_EQ(said.find('\n'), std::string::npos);
-  }
+  const std::string said = test::refusal([&] { work(); });
+  EXPECT_NE(said.find("no OpenGL in this build: install libepoxy-dev"), std::string::npos) << said;
+  EXPECT_EQ(said.find('\n'), std::string::npos);
 }
 
 TEST(OpenGlAbsent, SaysWhatToInstall) {

@@ -57,11 +57,9 @@ void Shim::advance(int substeps, bool whole) {
       else
         prism_substep(dynamics_.solver, memory_, i);
   else if (kind_ == Kind::separable_prisms)
-    launch_blocks(dynamics_.full_jacobian ? full_triangle_kernels() : triangle_kernels(), dynamics_.solver,
-                  memory_);
+    launch_blocks(triangle_kernels(), dynamics_.solver, memory_);
   else
-    launch_blocks(dynamics_.full_jacobian ? full_stick_kernels() : stick_kernels(), dynamics_.solver,
-                  memory_);
+    launch_blocks(stick_kernels(), dynamics_.solver, memory_);
   steps_ += substeps;
 }
 

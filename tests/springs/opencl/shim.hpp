@@ -33,10 +33,6 @@ struct BlockKernels {
 };
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();
-/// Return the same kernels as the two functions above, but compiled with FULL_JACOBIAN = 1: backward Euler
-/// uses all terms of the derivatives.
-BlockKernels full_stick_kernels();
-BlockKernels full_triangle_kernels();
 
 /// Runs the kernel of `solver` for all work-items of one launch. Together, the work-items compute all sticks
 /// or all triangles.

@@ -12,6 +12,7 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/strands/groom/fur.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::strands::test {
@@ -88,12 +89,7 @@ inline std::string difference(const Fur& a, const Fur& b) {
 
 /// Returns the error text of grow().
 inline std::string refusal(const Mesh& mesh, const StrandsScene& scene) {
-  try {
-    grow(mesh, scene, plain_coat());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return pelage::test::refusal([&] { grow(mesh, scene, plain_coat()); }, "no error");
 }
 
 }  // namespace pelage::strands::test

@@ -1,0 +1,19 @@
+// The median and the quantiles of a list of numbers.
+#pragma once
+#include <span>
+
+namespace pelage {
+
+/// Returns the median: for an even number of values, the mean of the two middle ones. Needs at least one
+/// value.
+double median(std::span<const double> values);
+
+/// Returns the median like median(), and changes the order of the values. It needs no copy of the values. The
+/// bootstrap calls it millions of times.
+double median_reordering(std::span<double> values);
+
+/// Returns the q-quantile, 0 <= q <= 1, interpolated linearly between order statistics (type 7 of Hyndman and
+/// Fan). Needs at least one value.
+double quantile(std::span<const double> values, double q);
+
+}  // namespace pelage

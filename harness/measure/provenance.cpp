@@ -1,0 +1,150 @@
+#include "harness/measure/provenance.hpp"
+
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+
+#include "harness/version/version.hpp"
+
+namespace pelage {
+namespace {
+
+/// Environment variables of PoCL that change the compiled kernels or the threads that run them. POCL_AFFINITY
+/// is not in this list, because rows record it in a separate field.
+constexpr std::array kPoclVariables{"POCL_WORK_GROUP_METHOD",   "POCL_EXTRA_BUILD_FLAGS",
+                                    "POCL_MAX_WORK_GROUP_SIZE", "POCL_CPU_MAX_CU_COUNT",
+                                    "POCL_MAX_PTHREAD_COUNT",   "POCL_MAX_COMPUTE_UNITS"};
+
+std::string first_line(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  return line;
+}
+
+std::string utc(const char* format) {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), format, &parts);
+  return text.data();
+}
+
+std::string os_name() {
+  std::ifstream stream("/etc/os-release");
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with("PRETTY_NAME=\"")) return line.substr(13, line.size() - 14);
+  return {};
+}
+
+}  // namespace
+
+std::string utc_now() {
+  return utc("%Y-%m-%dT%H:%M:%SZ");
+}
+
+std::string utc_stamp() {
+  return utc("%Y%m%dT%H%M%SZ");
+}
+
+double load_average() {
+  double load = 0;
+  return getloadavg(&load, 1) == 1 ? load : -1;
+}
+
+double unix_time() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+double cpu_mhz() {
+  std::ifstream stream("/proc/cpuinfo");
+  double sum = 0;
+  int count = 0;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with("cpu MHz")) continue;
+    sum += std::strtod(line.c_str() + line.find(':') + 1, nullptr);
+    ++count;
+  }
+  return count > 0 ? sum / count : -1;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "unknown";
+  const std::string text = name.data();
+  return text.substr(0, text.find('.'));
+}
+
+std::string cpu_model() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with("model name")) {
+      const std::size_t colon = line.find(':');
+      return colon == std::string::npos ? std::string{} : line.substr(colon + 2);
+    }
+  return {};
+}
+
+std::string governor() {
+  return first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+}
+
+std::string file_name_of(const std::string& text) {
+  std::string result = text;
+  for (char& c : result)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_' && c != '-') c = '_';
+  return result.empty() || result.front() == '.' ? "_" + result : result;
+}
+
+nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, bool anonymous) {
+  nlohmann::ordered_json json;
+  const BuildInfo& build = build_info();
+  json["version"] = build.version;
+  json["revision"] = build.revision;
+  json["dirty"] = build.dirty;
+  json["compiler"] = build.compiler;
+  json["flags"] = build.flags;
+  json["host"] = anonymous ? "anonymous" : host_name();
+  std::vector<std::string> words = argv;
+  if (anonymous)
+    for (std::string& word : words)
+      if (word.find('/') != std::string::npos && word.find('=') == std::string::npos)
+        word = std::filesystem::path(word).filename().string();
+  json["argv"] = words;
+  utsname system{};
+  if (uname(&system) == 0) json["os_kernel"] = std::string(system.sysname) + " " + system.release;
+  json["os"] = os_name();
+  json["cpu"] = cpu_model();
+  json["cpus"] = sysconf(_SC_NPROCESSORS_ONLN);
+  json["governor"] = governor();
+  return json;
+}
+
+nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info) {
+  nlohmann::ordered_json json;
+  json["platform"] = info.platform;
+  json["platform_version"] = info.platform_version;
+  json["device_name"] = info.name;
+  json["device_version"] = info.version;
+  json["driver"] = info.driver;
+  json["compute_units"] = info.compute_units;
+  json["lanes"] = info.lanes;
+  if (const char* pinned = std::getenv("POCL_AFFINITY"); pinned && info.cpu) json["pocl_affinity"] = pinned;
+  nlohmann::ordered_json environment;
+  for (const char* name : kPoclVariables)
+    if (const char* value = std::getenv(name); value && info.cpu) environment[name] = value;
+  if (!environment.empty()) json["environment"] = environment;
+  json["timer"] = info.timer_resolution_ns > 0 ? "OpenCL events and the wall clock" : "the wall clock";
+  json["timer_resolution_ns"] = info.timer_resolution_ns;
+  return json;
+}
+
+}  // namespace pelage

@@ -1,0 +1,84 @@
+// The append-only journal of rows: one file with one line per case. If the program is killed, no complete row
+// is lost.
+//
+// The journal follows rules for durable writing that SQLite and RocksDB also follow. A lock admits only one
+// writer, and the file is opened with O_APPEND. Each write is one whole line with a checksum. If write() is
+// interrupted or writes only a part of the line, append() calls it again for the rest. A row counts as
+// written only after fdatasync. The folder of the journal is synced when the file is created. If a write
+// fails, for instance on a full disk, the file is truncated to its last complete row and append() throws. If
+// fdatasync fails, append() throws and does not retry. Mode::resume removes a truncated last line, which has
+// no line feed. Any other damage is an error.
+//
+// The rules above protect the rows if the program is killed. They do not protect rows that a disk loses in a
+// power failure.
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "harness/record/row.hpp"
+
+namespace pelage {
+
+/// The system calls that a journal uses. Tests replace them by functions that fail.
+struct JournalCalls {
+  ssize_t (*write)(int, const void*, std::size_t);
+  int (*fdatasync)(int);
+  int (*ftruncate)(int, off_t);
+};
+JournalCalls system_calls();
+
+class Journal {
+ public:
+  enum class Mode { fresh, resume };
+
+  /// Opens or creates `file` (and its folder), locks it and reads the existing rows.
+  /// Throws InputError if
+  /// - the file cannot be written,
+  /// - another process is writing it,
+  /// - a line is damaged,
+  /// - two rows have the same key, and the earlier row does not have the status error, or
+  /// - the last line is truncated, and `mode` is fresh.
+  Journal(const std::filesystem::path& file, Mode mode, JournalCalls calls = system_calls());
+  ~Journal();
+  Journal(Journal&& other) noexcept;
+  Journal& operator=(Journal&&) = delete;
+
+  /// Rows that the file contained when it was opened. A row whose status is error is left out if a later row
+  /// has the same key.
+  const std::vector<Row>& rows() const { return rows_; }
+  /// Returns whether the file contains a row with this key and a status other than error.
+  bool holds(const std::string& key) const { return keys_.contains(key); }
+  std::size_t dropped_bytes() const {
+    return dropped_;
+  }  ///< length of the truncated last line that was removed, in bytes
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Appends a row and syncs the file to the disk. Throws InputError if holds() is true for the row's key, if
+  /// the disk is full, or if an I/O error occurs. If the row cannot be written completely, the function
+  /// removes the incomplete row from the file. If fdatasync fails, the function does not remove the row, but
+  /// the row may be lost in a crash of the system.
+  void append(const Row& row);
+
+ private:
+  void write_all(const std::string& text);
+
+  std::filesystem::path file_;
+  JournalCalls calls_;
+  int descriptor_ = -1;
+  off_t good_length_ = 0;
+  std::size_t dropped_ = 0;
+  bool broken_ = false;
+  std::vector<Row> rows_;
+  std::set<std::string> keys_;  // keys of the rows whose status is not error
+};
+
+/// Reads the rows of a journal, even while another process holds the lock and writes the file. The function
+/// therefore takes no lock, and ignores the last line if it is not yet complete. Throws InputError for a
+/// damaged line.
+std::vector<Row> read_journal(const std::filesystem::path& file);
+
+}  // namespace pelage

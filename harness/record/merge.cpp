@@ -1,0 +1,191 @@
+#include "harness/record/merge.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "harness/error.hpp"
+#include "harness/record/part_hashes.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the path of the journal to which a row is written, relative to the folder that the merge creates.
+fs::path journal_of(const FoundRow& found) {
+  return fs::path(found.row.experiment) / (journal_name(found.journal).stem + ".jsonl");
+}
+
+std::string key_of(const FoundRow& found) {
+  return journal_of(found).string() + "|" + row_key(found.row);
+}
+
+void refuse_odd_names(const FoundRow& found) {
+  const auto is_name = [](const std::string& name) {
+    return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos &&
+           name.find('\0') == std::string::npos;
+  };
+  for (const std::string& name : {found.row.experiment, found.row.case_name})
+    if (!is_name(name))
+      throw InputError(
+          fmt::format("{}: the name '{}' of an experiment or a case cannot be the name of a file",
+                      found.journal.string(), name));
+}
+
+/// Returns the properties that must be equal in all rows of a run, even if the rows have different cases.
+/// They are the preset, the CPU, the driver, the schema, and those hashes of Row::identity that do not depend
+/// on the case. Rows with the status error may lack some of these properties.
+std::map<std::string, std::string> common_of(const Row& row) {
+  std::map<std::string, std::string> common;
+  for (const auto& [part, hash] : row.identity)
+    if (part == "device" || part == "sampling" || part == build_part || part == shader_part ||
+        part == renderer_part || part.starts_with(kernel_part))
+      common[part] = hash;
+  for (const char* key : {"preset", "cpu", "driver", "device_version"})
+    if (const std::string value = provenance_text(row, key); !value.empty()) common[key] = value;
+  common["schema"] = row.schema == 1 ? "1 (without identity)" : "2 or later";
+  return common;
+}
+
+/// A conflict of two rows (see plan_merge()).
+struct Conflict {
+  std::set<std::string> differs;  ///< names of the properties in which the two rows differ
+  std::string message;
+};
+
+/// A set of rows that are written into one folder. No two rows of the set conflict (see plan_merge()).
+class Target {
+ public:
+  std::optional<Conflict> conflict(const FoundRow& found) const {
+    if (const auto same = rows_.find(key_of(found)); same != rows_.end())
+      return between(*same->second, found);
+    if (found.row.status == Status::error) return {};
+    for (const auto& [name, value] : common_of(found.row)) {
+      const auto first = common_.find({journal_of(found).string(), name});
+      if (first == common_.end() || first->second.first == value) continue;
+      const FoundRow& other = *first->second.second;
+      return Conflict{{name},
+                      fmt::format("{} (case {}) and {} (case {}) are not of one run: {} was {}, is {}",
+                                  other.journal.string(), other.row.case_name, found.journal.string(),
+                                  found.row.case_name, name, first->second.first, value)};
+    }
+    return {};
+  }
+
+  void add(const FoundRow& found) {
+    rows_[key_of(found)] = &found;
+    if (found.row.status == Status::error) return;
+    for (const auto& [name, value] : common_of(found.row))
+      common_.try_emplace({journal_of(found).string(), name}, value, &found);
+  }
+
+ private:
+  static Conflict between(const FoundRow& a, const FoundRow& b) {
+    const std::string both = fmt::format("{} and {}: both contain a row of case {}", a.journal.string(),
+                                         b.journal.string(), a.row.case_name);
+    if (a.row.identity.empty() != b.row.identity.empty())
+      return {{"schema"}, both + ", but only one of the rows records the hashes of its inputs (schema 2)"};
+    if (const std::vector<std::string> parts = differing_parts(a.row.identity, b.row.identity);
+        !parts.empty())
+      return {{parts.begin(), parts.end()},
+              fmt::format("{}, but the rows measured different inputs: {}", both,
+                          fmt::join(differences(a.row.identity, b.row.identity), "; "))};
+    return {{"run"},
+            fmt::format("{}, measured in different runs ({} and {})", both, a.row.run_id, b.row.run_id)};
+  }
+
+  std::map<std::string, const FoundRow*> rows_;  // key -> row
+  // Key: a journal, and the name of a property from common_of(). Value: the value of this property in the
+  // rows of the journal, and the first row that has it.
+  std::map<std::pair<std::string, std::string>, std::pair<std::string, const FoundRow*>> common_;
+};
+
+/// Returns the rows that the merge keeps. A row with the status error is dropped if another row of the same
+/// case replaces it.
+std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
+  std::map<std::string, const FoundRow*> latest;  // key -> the row to keep
+  for (const FoundRow& found : rows) {
+    const FoundRow*& best = latest[key_of(found)];
+    const bool better = best && (best->row.status == Status::error) &&
+                        (found.row.status != Status::error ||
+                         provenance_text(found.row, "utc") > provenance_text(best->row, "utc"));
+    if (!best || better) best = &found;
+  }
+  std::vector<FoundRow> kept;
+  for (const FoundRow& found : rows)
+    if (found.row.status != Status::error || latest.at(key_of(found)) == &found) kept.push_back(found);
+  return kept;
+}
+
+/// Divides the rows into groups. All rows of a group are written into the same folder. Each group contains
+/// rows of only one journal. If rows of a journal conflict with each other, the journal is divided into
+/// several groups without conflicts.
+std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>& rows) {
+  std::vector<fs::path> journals;
+  std::map<fs::path, std::vector<std::pair<Target, std::vector<const FoundRow*>>>> parts;
+  for (const FoundRow& found : rows) {
+    if (!parts.contains(found.journal)) journals.push_back(found.journal);
+    auto& own = parts[found.journal];
+    auto place =
+        std::find_if(own.begin(), own.end(), [&](const auto& part) { return !part.first.conflict(found); });
+    if (place == own.end()) place = own.emplace(own.end());
+    place->first.add(found);
+    place->second.push_back(&found);
+  }
+  std::vector<std::vector<const FoundRow*>> groups;
+  for (const fs::path& journal : journals)
+    for (const auto& [unused, group] : parts.at(journal)) groups.push_back(group);
+  return groups;
+}
+
+}  // namespace
+
+Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
+  Merge merge;
+  for (const FoundRow& found : rows) {
+    refuse_odd_names(found);
+    merge.copies += found.copies.size();
+  }
+  const std::vector<FoundRow> kept = without_replaced(rows);
+  merge.replaced = rows.size() - kept.size();
+  std::vector<Target> targets;
+  std::vector<std::set<std::string>> differs;
+  for (const std::vector<const FoundRow*>& group : groups_of(kept)) {
+    std::size_t place = 0;
+    std::set<std::string> names;
+    for (; place < targets.size(); ++place) {
+      bool fits = true;
+      for (const FoundRow* found : group) {
+        const std::optional<Conflict> conflict = targets[place].conflict(*found);
+        if (!conflict) continue;
+        if (!keep_apart)
+          throw InputError(conflict->message +
+                           ". Merge only results that belong together, or give --keep-apart, which writes "
+                           "the conflicting rows into a separate folder");
+        names.insert(conflict->differs.begin(), conflict->differs.end());
+        fits = false;
+      }
+      if (fits) break;
+    }
+    if (place == targets.size()) {
+      targets.emplace_back();
+      differs.emplace_back();
+    }
+    differs[place].insert(names.begin(), names.end());
+    const fs::path folder = place == 0 ? fs::path() : fs::path(fmt::format("apart-{}", place + 1));
+    for (const FoundRow* found : group) {
+      targets[place].add(*found);
+      merge.rows.push_back({*found, folder / journal_of(*found)});
+    }
+  }
+  for (std::size_t i = 1; i < differs.size(); ++i)
+    merge.apart.push_back(fmt::format("{}", fmt::join(differs[i], ", ")));
+  return merge;
+}
+
+}  // namespace pelage

@@ -1,0 +1,47 @@
+// Reads the rows in folders of results, and prevents runs from changing recorded results.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/record/row.hpp"
+
+namespace pelage {
+
+/// A row and the journal that contains it.
+struct FoundRow {
+  Row row;
+  std::filesystem::path journal;
+  std::vector<std::filesystem::path> copies = {};  ///< other journals that contain the same row
+};
+
+/// Returns all journals that `places` name. Each place is a journal (*.jsonl) or a folder that contains
+/// journals at any depth. The journals of a folder are sorted by path. Throws InputError for a missing path,
+/// or a folder without a journal.
+std::vector<std::filesystem::path> journals_of(const std::vector<std::string>& places);
+
+/// Returns all rows of the given journals (*.jsonl), and of all journals at any depth in the given folders.
+/// The journals of a folder are sorted by path. Throws InputError for a missing path, a folder without a
+/// journal, or a damaged journal. If several journals contain a row, the row is returned once:
+/// `journal` is the first of these journals, and `copies` are the others. Also throws InputError if two rows
+/// have the same run, experiment, case, variant, device, repeat and overrides, but are not equal.
+std::vector<FoundRow> read_results(const std::vector<std::string>& places);
+
+/// The name of a journal file: STEM.jsonl, or STEM.i-of-n.jsonl for shard i of n. pelage run uses DEVICE@HOST
+/// as STEM.
+struct JournalName {
+  std::string stem;
+  int index = 0, count = 1;  ///< i and n of the shard; 0 and 1 if the name has no ".i-of-n"
+};
+JournalName journal_name(const std::filesystem::path& journal);
+
+/// Returns the path of the row's picture in the folder images/ next to the journal. The file name is
+/// CASE@DEVICE@HOST.png if this file exists, otherwise CASE@DEVICE.png if that file exists, otherwise
+/// CASE.png. The function does not test whether CASE.png exists.
+std::filesystem::path picture_of(const FoundRow& found);
+
+/// Throws InputError if `folder` is the repository's results/ or a folder in it. That folder contains
+/// recorded results, which a new run must not change.
+void refuse_recordings(const std::filesystem::path& folder);
+
+}  // namespace pelage

@@ -1,0 +1,97 @@
+// Strands by the OpenGL baseline (harness/strands/opengl/ribbons.hpp). The reference simulates the key
+// strands, unless show_keys() gives them.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "harness/strands/opengl/ribbon_options.hpp"
+#include "harness/strands/opengl/ribbons.hpp"
+#include "harness/system/backend_parts.hpp"
+#include "harness/system/strands/backends.hpp"
+
+namespace pelage::strands {
+namespace {
+
+void need_key_light_only(const StrandInput& input) {
+  const StrandsScene& s = input.scene.strands;
+  if (!input.look.fills.empty() || s.rim != glm::vec3(0) || s.skin_shadow != 0 || s.shadow != "none" ||
+      s.skin)
+    throw CannotDraw(
+        "the OpenGL baseline draws strands with a key light and ambient light only: give one "
+        "[[shading.light]], and set strands.skin_shadow = 0, strands.rim = [0, 0, 0], strands.shadow = "
+        "\"none\", strands.skin = false");
+}
+
+class InOpenGl : public Backend {
+ public:
+  explicit InOpenGl(const BackendOptions& options)
+      : renderer_(present_renderer()), options_(ribbon_options(options.opengl)) {}
+
+  void load(const SystemInput& input) override {
+    ribbons_.reset();
+    input_ = own<StrandInput>(input);
+    need_key_light_only(*input_);
+    frames_ = 0;
+    prepared_ = false;
+    ribbons_.emplace(RibbonScene{input_->camera, input_->look, input_->range, input_->dynamics.first_segment},
+                     input_->fur.strands, options_);
+  }
+  void show(std::vector<KeyStrand> keys) {
+    keys_ = std::move(keys);
+    given_ = true;
+  }
+
+  void prepare_frame() override {
+    if (prepared_) return;
+    ++frames_;
+    if (!given_) keys_ = reference_keys(*input_, frames_).first;
+    prepared_ = true;
+  }
+  cl::FrameTiming frame() override {
+    prepare_frame();
+    prepared_ = false;
+    return still();
+  }
+  cl::FrameTiming still() override { return {ribbons_->frame(keys_), {}, {}}; }
+  void advance(int frames) override { frames_ += frames; }
+  int frames_simulated() const override { return frames_; }
+  Picture read() override { return ribbons_->read(); }
+  void dump(Hdf5File& file, const Scene& scene) override {
+    strands::dump(file, *input_, scene, {keys_, reference_curves(*input_, keys_), {}, {}});
+  }
+
+  std::vector<Check> checks(const Picture& timed, std::uint32_t) override {
+    return other_filter_checks(against_reference,
+                               compare(timed, reference_strands(*input_, keys_, input_->skin).picture));
+  }
+  void describe(Description& row) override {
+    row.opengl_renderer = renderer_;
+    row.opengl_options = to_text(options_);
+  }
+  std::string title() const override {
+    return fmt::format("strands in OpenGL on {}, {}", renderer_, to_text(options_));
+  }
+  std::string device() const override { return renderer_; }
+
+ private:
+  std::string renderer_;
+  RibbonOptions options_;
+  std::shared_ptr<const StrandInput> input_;
+  std::optional<Ribbons> ribbons_;
+  std::vector<KeyStrand> keys_;
+  bool given_ = false;  ///< show() gave the keys
+  int frames_ = 0;
+  bool prepared_ = false;  ///< the next frame() only draws
+};
+
+}  // namespace
+
+void show_keys(Backend& opengl, std::vector<KeyStrand> keys) {
+  dynamic_cast<InOpenGl&>(opengl).show(std::move(keys));
+}
+
+std::unique_ptr<Backend> open_opengl(const BackendOptions& options, const Scene&) {
+  return std::make_unique<InOpenGl>(options);
+}
+
+}  // namespace pelage::strands

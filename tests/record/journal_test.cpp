@@ -1,0 +1,273 @@
+#include "harness/record/journal.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+
+#include "harness/error.hpp"
+#include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Folder;
+using test::sample_row;
+using test::text_of;
+using test::write_text;
+
+std::string error_of(const std::function<void()>& action) {
+  return test::refusal([&] { action(); }, "");
+}
+
+TEST(RowLine, ComesBackAsItWent) {
+  const Row row = sample_row("a");
+  const std::string line = to_line(row);
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  const Row back = row_from_line(line);
+  EXPECT_EQ(to_line(back), line);
+  EXPECT_EQ(back.samples.at("frame").wall_ms, row.samples.at("frame").wall_ms);
+  EXPECT_EQ(back.samples.at("frame").cpu_ms, (std::vector<double>{20.5, 21.25, 0}));
+  EXPECT_EQ(back.axes, row.axes);
+  EXPECT_EQ(back.metrics.at("paper_fps").high, 1.0);
+  EXPECT_FALSE(back.metrics.at("paper_fps").low);
+  EXPECT_EQ(nlohmann::json::parse(line)["axes"]["layers"], 16);
+}
+
+// Rows that earlier versions wrote have no CPU times.
+TEST(RowLine, CpuTimesMayBeMissing) {
+  const std::string body =  // the row up to its checksum
+      R"({"schema":1,"run_id":"r","experiment":"e","case":"c","variant":"v","axes":{},"overrides":{},"device":"d",)"
+      R"("repeat":0,"status":"ok","reason":"","check":[{"against":"a","metric":"m","value":2.0,"limit":1.0,)"
+      R"("sense":">="}],"samples":{"frame":{"event_ms":[],"wall_ms":[1.5]}},)"
+      R"("metrics":{},"build_ms":0.0,"first_launch_ms":0.0,"tuning":{},"image_hash":"","provenance":{})";
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()));
+  const Row row = row_from_line(body + fmt::format(",\"crc\":\"{:08x}\"}}", sum));
+  EXPECT_EQ(row.samples.at("frame").wall_ms, std::vector<double>{1.5});
+  EXPECT_TRUE(row.samples.at("frame").cpu_ms.empty());
+  EXPECT_EQ(to_line(row).find("cpu_ms"), std::string::npos);
+}
+
+TEST(RowLine, AnyChangedByteIsNoticed) {
+  const std::string line = to_line(sample_row("a"));
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    std::string changed = line;
+    changed[i] = char(changed[i] ^ 1);
+    EXPECT_FALSE(error_of([&] { row_from_line(changed); }).empty()) << i;
+  }
+}
+
+TEST(RowLine, OnlyOkRowsHaveATime) {
+  Row row = sample_row("a");
+  EXPECT_EQ(frame_ms(row).size(), 3u);
+  for (const Status status : {Status::failed_check, Status::diverged, Status::error, Status::skipped}) {
+    row.status = status;
+    EXPECT_TRUE(frame_ms(row).empty());
+  }
+}
+
+TEST(RowLine, DriverTextNeedNotBeUtf8) {
+  Row row = sample_row("a");
+  row.reason = "log: \xff\xfe end";
+  EXPECT_NE(row_from_line(to_line(row)).reason.find("end"), std::string::npos);
+}
+
+TEST(Journal, KeepsRowsAcrossProcesses) {
+  const Folder folder;
+  const fs::path file = folder.path / "deep" / "er" / "j.jsonl";
+  {
+    Journal journal(file, Journal::Mode::fresh);
+    journal.append(sample_row("a"));
+    journal.append(sample_row("b"));
+  }
+  Journal journal(file, Journal::Mode::resume);
+  ASSERT_EQ(journal.rows().size(), 2u);
+  EXPECT_TRUE(journal.holds(row_key(sample_row("a"))));
+  EXPECT_FALSE(journal.holds(row_key(sample_row("c"))));
+}
+
+TEST(Journal, ATornTailAtEveryByteIsDroppedOnResumeOnly) {
+  const Folder folder;
+  const std::string first = to_line(sample_row("a")) + "\n", second = to_line(sample_row("b")) + "\n";
+  const fs::path file = folder.path / "j.jsonl";
+  for (std::size_t cut = 0; cut <= second.size(); ++cut) {
+    write_text(file, first + second.substr(0, cut));
+    const bool whole = cut == second.size();
+    if (cut > 0 && !whole) {
+      EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::fresh); }).find("--resume"), std::string::npos);
+      EXPECT_EQ(text_of(file).size(), first.size() + cut) << "a refusal must not change the file";
+    }
+    Journal journal(file, Journal::Mode::resume);
+    ASSERT_EQ(journal.rows().size(), whole ? 2u : 1u) << cut;
+    EXPECT_EQ(journal.dropped_bytes(), whole ? 0u : cut);
+    if (!whole) journal.append(sample_row("b"));
+    EXPECT_EQ(text_of(file), first + second) << cut;
+  }
+}
+
+TEST(Journal, DamageInTheMiddleIsAnError) {
+  const Folder folder;
+  const std::string first = to_line(sample_row("a")) + "\n", second = to_line(sample_row("b")) + "\n";
+  const fs::path file = folder.path / "j.jsonl";
+  for (std::size_t i = 0; i < first.size(); i += 7) {
+    std::string damaged = first + second;
+    damaged[i] = char(damaged[i] ^ 4);
+    write_text(file, damaged);
+    const std::string said = error_of([&] { Journal(file, Journal::Mode::resume); });
+    EXPECT_NE(said.find("j.jsonl:1: damaged"), std::string::npos) << i << ": " << said;
+    EXPECT_EQ(text_of(file), damaged);
+  }
+  write_text(file, first + "\n" + second);
+  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find(":2: damaged"), std::string::npos);
+}
+
+TEST(Journal, AKeyStandsOnce) {
+  const Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  const std::string line = to_line(sample_row("a")) + "\n";
+  {
+    Journal journal(file, Journal::Mode::fresh);
+    journal.append(sample_row("a"));
+    EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("already contains the row"),
+              std::string::npos);
+    Row repeat = sample_row("a"), changed = sample_row("a");
+    repeat.repeat = 1;
+    changed.overrides["fur.length"] = "0.1";
+    journal.append(repeat);
+    journal.append(changed);
+  }
+  write_text(file, line + line);
+  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("second row"), std::string::npos);
+}
+
+TEST(Journal, OneWriterAtATime) {
+  const Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  Journal journal(file, Journal::Mode::fresh);
+  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("another pelage"),
+            std::string::npos);
+}
+
+TEST(Journal, ReadersPassOverATornTail) {
+  const Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  const std::string first = to_line(sample_row("a")) + "\n";
+  write_text(file, first + first.substr(0, 20));
+  EXPECT_EQ(read_journal(file).size(), 1u);
+  EXPECT_FALSE(error_of([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
+}
+
+// The functions below replace system calls of the journal. The variables g_* select which calls fail. The
+// variables are global, because the journal takes plain function pointers.
+int g_interrupts = 0;
+std::size_t g_short = 0;
+int g_fail_write_after = -1;
+bool g_fail_sync = false;
+
+ssize_t bad_write(int descriptor, const void* data, std::size_t size) {
+  if (g_interrupts > 0) {
+    --g_interrupts;
+    errno = EINTR;
+    return -1;
+  }
+  if (g_fail_write_after == 0) {
+    errno = ENOSPC;
+    return -1;
+  }
+  if (g_fail_write_after > 0) --g_fail_write_after;
+  return ::write(descriptor, data, g_short > 0 ? std::min(size, g_short) : size);
+}
+
+int bad_sync(int descriptor) {
+  if (g_fail_sync) {
+    errno = EIO;
+    return -1;
+  }
+  return ::fdatasync(descriptor);
+}
+
+struct BadCalls : ::testing::Test {
+  void SetUp() override { reset(); }
+  void TearDown() override { reset(); }
+  static void reset() {
+    g_interrupts = 0;
+    g_short = 0;
+    g_fail_write_after = -1;
+    g_fail_sync = false;
+  }
+  Folder folder;
+  fs::path file = folder.path / "j.jsonl";
+  JournalCalls calls{bad_write, bad_sync, ::ftruncate};
+};
+
+TEST_F(BadCalls, InterruptedAndShortWritesAreFinished) {
+  Journal journal(file, Journal::Mode::fresh, calls);
+  g_interrupts = 3;
+  g_short = 5;
+  journal.append(sample_row("a"));
+  EXPECT_EQ(text_of(file), to_line(sample_row("a")) + "\n");
+}
+
+TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
+  const std::size_t writes = to_line(sample_row("b")).size() / 40;
+  for (int after = 0; after <= int(writes); ++after) {
+    fs::remove(file);
+    reset();
+    Journal journal(file, Journal::Mode::fresh, calls);
+    journal.append(sample_row("a"));
+    g_short = 40;
+    g_fail_write_after = after;
+    EXPECT_NE(error_of([&] { journal.append(sample_row("b")); }).find("No space left"), std::string::npos);
+    EXPECT_EQ(text_of(file), to_line(sample_row("a")) + "\n");
+    reset();
+    EXPECT_FALSE(error_of([&] { journal.append(sample_row("c")); }).empty())
+        << "a broken journal takes no more";
+  }
+}
+
+TEST_F(BadCalls, AFailedSyncIsNotRetried) {
+  Journal journal(file, Journal::Mode::fresh, calls);
+  g_fail_sync = true;
+  EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("synced"), std::string::npos);
+  g_fail_sync = false;
+  EXPECT_FALSE(error_of([&] { journal.append(sample_row("b")); }).empty());
+}
+
+// The test limits the size of files with setrlimit(). The operating system then writes only a part of the
+// second row and reports an error. The journal must remove this part.
+TEST(Journal, ARealLimitOnTheFile) {
+  const Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  const std::string first = to_line(sample_row("a")) + "\n";
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{first.size() + 100, first.size() + 100};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    Journal journal(file, Journal::Mode::fresh);
+    journal.append(sample_row("a"));
+    _exit(error_of([&] { journal.append(sample_row("b")); }).empty() ? 1 : 0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(text_of(file), first);
+}
+
+TEST(Journal, APlaceThatCannotBeWritten) {
+  const Folder folder;
+  write_text(folder.path / "file", "x");
+  EXPECT_FALSE(error_of([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }).empty());
+  EXPECT_FALSE(error_of([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }).empty());
+}
+
+}  // namespace
+}  // namespace pelage

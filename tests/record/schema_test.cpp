@@ -1,0 +1,94 @@
+// Tests that the schema docs/row.schema.json accepts every row that the harness writes and rejects invalid
+// rows.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "harness/error.hpp"
+#include "harness/measure/runner.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the number of lines of `journal` that python3-jsonschema rejects with docs/row.schema.json.
+int refused_lines(const fs::path& journal, const fs::path& folder) {
+  const std::string script = R"(
+import json, sys
+import jsonschema
+validator = jsonschema.Draft7Validator(json.load(open(sys.argv[1])))
+jsonschema.Draft7Validator.check_schema(validator.schema)
+sys.exit(min(255, sum(not validator.is_valid(json.loads(line)) for line in open(sys.argv[2]))))
+)";
+  const fs::path program = folder / "validate.py";
+  test::write_text(program, script);
+  const std::string command = "/usr/bin/python3 " + program.string() + " " +
+                              PELAGE_SOURCE_DIR "/docs/row.schema.json " + journal.string();
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Schema, HoldsRowsOfEveryStatus) {
+  const test::Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  {
+    Journal journal(file, Journal::Mode::fresh);
+    RunPlan plan = test::fake_plan(4);
+    plan.cases[3].published = Metric{1, "fps", "<", std::nullopt, 1.0};
+    plan.limits = {0, 6, 10, 0.5, 1};
+    run_cases(
+        plan,
+        [](const Case& c) -> std::unique_ptr<Subject> {
+          if (c.name == "case0") throw DeviceError("CL_OUT_OF_RESOURCES");
+          if (c.name == "case1") throw Unsupported("no");
+          if (c.name == "case2") return std::make_unique<test::FakeSubject>(10, 20);
+          return std::make_unique<test::FakeSubject>(10);
+        },
+        journal);
+    journal.append(test::sample_row("by hand"));
+  }
+  ASSERT_EQ(read_journal(file).size(), 5u);
+  EXPECT_EQ(refused_lines(file, folder.path), 0);
+}
+
+// Earlier revisions of pelage wrote the rows in the repository's folder results/. Some of these rows have no
+// CPU times or no picture, and not all rows have times of the same phases (parts of a frame). The schema must
+// accept all rows.
+TEST(Schema, HoldsTheRowsOfResults) {
+  const test::Folder folder;
+  int journals = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(PELAGE_SOURCE_DIR "/results")) {
+    if (entry.path().extension() != ".jsonl") continue;
+    ++journals;
+    EXPECT_EQ(refused_lines(entry.path(), folder.path), 0) << entry.path();
+    EXPECT_FALSE(read_journal(entry.path()).empty()) << entry.path();
+  }
+  EXPECT_GT(journals, 0);
+}
+
+TEST(Schema, RefusesWhatNoRowMayBe) {
+  const test::Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  auto with = [](auto change) {
+    auto json = nlohmann::ordered_json::parse(to_line(test::sample_row("a")));
+    change(json);
+    return json.dump() + "\n";
+  };
+  std::string text;
+  text += with([](auto& j) { j.erase("image_hash"); });
+  text += with([](auto& j) { j["status"] = "fine"; });
+  text += with([](auto& j) { j["status"] = "failed-check"; });  // a failed row must not have samples
+  text += with([](auto& j) { j["check"] = nlohmann::ordered_json::array(); });
+  text += with([](auto& j) { j["samples"].erase("frame"); });
+  text += with([](auto& j) { j["speed"] = 1; });
+  text += with([](auto& j) { j["schema"] = kRowSchema + 1; });
+  text += with([](auto& j) { j["samples"]["frame"]["cpu_ms"] = "8"; });
+  text += with([](auto& j) { j["image_hash"] = ""; });
+  test::write_text(file, text);
+  EXPECT_EQ(refused_lines(file, folder.path), 9);
+}
+
+}  // namespace
+}  // namespace pelage
