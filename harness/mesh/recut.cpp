@@ -13,7 +13,6 @@
 #include "harness/error.hpp"
 #include "harness/mesh/chart_places.hpp"
 #include "harness/mesh/flatten.hpp"
-#include "harness/mesh/uv_overlap.hpp"
 #include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {

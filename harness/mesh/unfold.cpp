@@ -13,7 +13,7 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
-#include "harness/mesh/geometry.hpp"
+#include "harness/mesh/finish.hpp"
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 

@@ -1,7 +1,8 @@
-// Divides a UV map that overlaps itself into parts that do not overlap.
+// Finds the triangles that overlap in a UV map, and divides the map into parts that do not overlap.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "harness/mesh/surface.hpp"
@@ -41,5 +42,13 @@ struct PieceRules {
 /// map has neither overlaps nor flipped triangles nor triangles beyond the limit of stretch, there are no
 /// pieces.
 Pieces choose_pieces(const Surface& surface, const PieceRules& rules);
+
+/// Returns twice the signed area of a triangle in UV. It is negative if the triangle is flipped (clockwise).
+double twice_uv_area(const Surface::Corners& uv);
+
+/// Returns the pairs (a, b), a < b, of triangles that overlap in UV, in ascending order. `uv` contains the
+/// corners of each triangle. Two triangles overlap if no translation by less than 1e-9 separates them, so
+/// triangles that only touch at an edge or a corner do not overlap.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> uv_overlaps(const std::vector<Surface::Corners>& uv);
 
 }  // namespace pelage

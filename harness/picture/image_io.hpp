@@ -1,5 +1,5 @@
-// Picture files. libpng writes PNG. OpenImageIO, which is loaded on demand, reads all formats and writes all
-// formats except PNG.
+// Picture files. libpng writes PNG, so that `pelage render` need not load OpenImageIO for a PNG file.
+// OpenImageIO, which is loaded on demand, reads all formats and writes all formats except PNG.
 #pragma once
 #include <filesystem>
 #include <string>

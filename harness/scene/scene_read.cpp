@@ -8,7 +8,6 @@
 #include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/nearest_name.hpp"
-#include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 

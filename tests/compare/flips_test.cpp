@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "harness/compare/pictures.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
 
 namespace pelage {

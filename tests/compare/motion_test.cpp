@@ -6,8 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "harness/compare/masks.hpp"
-#include "harness/compare/tips.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
 
 namespace pelage {

@@ -1,10 +1,9 @@
 // Tests the structural similarity of pictures against values computed from its definition.
-#include "harness/compare/ssim.hpp"
-
 #include <gtest/gtest.h>
 
 #include <glm/vec3.hpp>
 
+#include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
 
 namespace pelage {

@@ -1,9 +1,9 @@
 // Tests the function that runs another program.
-#include "harness/isolated/run_program.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+
+#include "harness/isolated/isolated.hpp"
 
 namespace pelage {
 namespace {

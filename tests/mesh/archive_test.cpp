@@ -1,12 +1,11 @@
 // Tests the reading of one file of a .tar.gz archive. The tests create the archives by the command tar.
-#include "harness/mesh/archive.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
 
 #include "harness/error.hpp"
+#include "harness/mesh/soup.hpp"
 #include "tests/mesh/temp_folder.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -5,9 +5,9 @@
 #include <chrono>
 
 #include "harness/error.hpp"
-#include "harness/mesh/archive.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/soup.hpp"
 #include "tests/mesh/temp_folder.hpp"
 
 namespace pelage {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "harness/error.hpp"
-#include "harness/mesh/gltf_files.hpp"
+#include "harness/mesh/soup.hpp"
 #include "tests/mesh/temp_folder.hpp"
 #include "tests/support/refusal.hpp"
 

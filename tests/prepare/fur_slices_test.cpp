@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/prepare/fur_strands.hpp"
 #include "harness/prepare/fur_texture.hpp"
 
 namespace pelage {

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "harness/prepare/fur_strands.hpp"
 #include "harness/prepare/random.hpp"
 
 namespace pelage {

@@ -7,7 +7,7 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/write_ply.hpp"
-#include "harness/prepare/contact.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/style_scenes.hpp"

@@ -1,8 +1,7 @@
 // Tests the scene of a picture at a time, and the comparison of two such scenes.
-#include "harness/scene/picture_scene.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {

@@ -11,7 +11,7 @@
 #include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/scene/scene.hpp"
-#include "harness/shells/opencl/build_options.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/raster_buffers.hpp"
 #include "kernels/rasterize/params.h"
 
@@ -41,7 +41,7 @@ class Mapping {
 struct MappingSetup {
   const cl::Device& device;
   const cl::Program& geometry;  ///< program built from rasterize/geometry/geometry.cl
-  std::string options;          ///< the mapping's build options: LANES and tuning axes (build_options.hpp)
+  std::string options;          ///< the mapping's build options: LANES and tuning axes (program_texts.hpp)
 };
 
 struct MappingKind {

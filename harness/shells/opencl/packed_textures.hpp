@@ -1,9 +1,12 @@
-// Packs textures into the layout that kernels/rasterize/shading/textures.clh reads.
+// Packs textures into the layout that kernels/rasterize/shading/textures.clh reads, and the maps of the fur's
+// shape (docs/shells.md, section 8) into the table of the layers.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
+#include "harness/shells/opencl/geometry.hpp"
+#include "kernels/rasterize/params.h"
 
 namespace pelage::shells {
 
@@ -17,5 +20,11 @@ std::vector<std::int32_t> packed_fur(const FurTexture& fur);
 /// border of one texel surrounds the texture. It holds copies of the texels of the opposite side, because the
 /// texture repeats.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat);
+
+/// Sets the members of `params` that tell the kernels where the arrays of the scene's maps are.
+void place_maps(const FrameInput& input, const Geometry& geometry, RasterParams& params);
+
+/// Returns the layer table, and the arrays of the scene's maps after it, at the places of place_maps().
+std::vector<float> styled_layer_table(const FrameInput& input, const Geometry& geometry);
 
 }  // namespace pelage::shells

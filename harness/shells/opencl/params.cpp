@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "harness/scene/shading_models.hpp"
-#include "harness/shells/opencl/style_table.hpp"
+#include "harness/shells/opencl/packed_textures.hpp"
 
 namespace pelage::shells {
 namespace {

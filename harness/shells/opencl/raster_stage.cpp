@@ -11,7 +11,6 @@
 #include "harness/shells/opencl/packed_textures.hpp"
 #include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
-#include "harness/shells/opencl/style_table.hpp"
 
 namespace pelage::shells {
 namespace {

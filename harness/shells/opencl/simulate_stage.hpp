@@ -4,9 +4,9 @@
 
 #include "harness/cl/phases.hpp"
 #include "harness/prepare/frame_input.hpp"
-#include "harness/shells/opencl/build_options.hpp"
 #include "harness/shells/opencl/contact_stage.hpp"
 #include "harness/shells/opencl/geometry.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "kernels/simulate/params.h"
 
 namespace pelage::shells {

@@ -4,9 +4,8 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/prepare/frame_input.hpp"
-#include "harness/shells/opencl/build_options.hpp"
 #include "harness/shells/opencl/droplet_buckets.hpp"
-#include "harness/shells/opencl/texel_lists.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 
 namespace pelage::shells {
 

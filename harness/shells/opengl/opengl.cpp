@@ -18,9 +18,7 @@
 #include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/contact.hpp"
-#include "harness/shells/opengl/facing.hpp"
 #include "harness/shells/opengl/program.hpp"
-#include "harness/shells/opengl/seen.hpp"
 #include "harness/shells/opengl/textures.hpp"
 #include "harness/shells/opengl/vertices.hpp"
 

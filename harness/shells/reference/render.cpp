@@ -9,16 +9,12 @@
 
 #include "harness/parallel.hpp"
 #include "harness/shells/reference/coverage.hpp"
-#include "harness/shells/reference/input_check.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "harness/shells/reference/shading.hpp"
-#include "harness/shells/reference/soaked.hpp"
-#include "harness/shells/reference/substeps.hpp"
 #include "harness/shells/reference/textures.hpp"
 #include "harness/shells/reference/vector.hpp"
-#include "harness/shells/reference/visible.hpp"
 
 namespace pelage::reference {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "harness/error.hpp"
 #include "tests/shells/opencl/coverage_scene.hpp"
@@ -63,10 +62,6 @@ TEST(Group, TwentyRunsAreOnePicture) {
     Shells shells(device(), input, {"group", tuning});
     shells.frame();
     return shells.read();
-  };
-  const auto same_bits = [](const Picture& a, const Picture& b) {
-    return a.pixel.size() == b.pixel.size() &&
-           std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof(a.pixel[0])) == 0;
   };
   const Picture first = drawn({});
   EXPECT_GT(std::count_if(first.pixel.begin(), first.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),

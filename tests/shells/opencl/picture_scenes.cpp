@@ -18,6 +18,11 @@ Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const st
   return shells.read();
 }
 
+testing::AssertionResult drawn_alike(const std::shared_ptr<const FrameInput>& input,
+                                     const std::string& mapping, std::size_t least_pixels) {
+  return same(drawn_by_reference(*input), drawn_by_device(input, mapping), least_pixels);
+}
+
 Change change(const Picture& a, const Picture& b) {
   Change c;
   for (std::size_t i = 0; i < a.pixel.size(); ++i) {

@@ -13,6 +13,10 @@ cl::Device device();
 
 Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const std::string& mapping);
 
+/// Whether the device draws the frame like the reference (same()).
+testing::AssertionResult drawn_alike(const std::shared_ptr<const FrameInput>& input,
+                                     const std::string& mapping, std::size_t least_pixels = 0);
+
 /// The absolute differences of the red, green and blue of two pictures of equal size, over all pixels.
 struct Change {
   double mean = 0, most = 0;

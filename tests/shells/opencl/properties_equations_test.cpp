@@ -12,7 +12,7 @@
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/shading.hpp"
 #include "harness/shells/reference/strands.hpp"
-#include "harness/shells/reference/substeps.hpp"
+#include "harness/shells/reference/textures.hpp"
 #include "tests/support/opencl_as_cpp.hpp"
 #include "tests/support/synthetic.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
+#include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/reference.hpp"
-#include "harness/shells/reference/visible.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {

@@ -1,7 +1,5 @@
 // Tests fragments that take several samples (docs/shells.md, section 6, "Sub-steps"): the positions of the
 // samples, and their combination to one sample.
-#include "harness/shells/reference/substeps.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "harness/error.hpp"
 #include "harness/shells/reference/reference.hpp"
+#include "harness/shells/reference/textures.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
