@@ -92,7 +92,7 @@ glm::vec3 clump_colour(const glm::vec4& clump) {
 }
 
 Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask, int side) {
-  Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), {0, 0, 0, 1})};
+  Picture picture = empty_picture(side, side);
   const std::vector<bool> inside = inside_of(*input.mesh, side);
   const int size = input.scene.wetness.size;
   const bool discs = input.scene.clump.cells == "consistent";  // a clump ends at its radius, not at a texel

@@ -34,4 +34,9 @@ Picture read_picture(const std::filesystem::path& path);
 /// picture cannot be compressed.
 std::string webp_of(const Picture& picture, int quality);
 
+/// Returns a smaller copy of the picture with `most_width` columns and the same proportions. Each reduced
+/// pixel is the mean of the original pixels that it covers, computed from gamma-encoded values. Alpha is
+/// averaged, too. If the picture has at most `most_width` columns, returns it unchanged.
+Picture reduced(const Picture& picture, int most_width);
+
 }  // namespace pelage

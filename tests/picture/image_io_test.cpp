@@ -74,8 +74,7 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
 TEST_F(ImageIo, PngSaysThatItIsSrgb) {
   using namespace std::string_literals;
   write_picture(folder / "a.png", gradient(3, 2));
-  std::ifstream stream(folder / "a.png", std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::string bytes = test::text_of(folder / "a.png");
   EXPECT_EQ(bytes.substr(12, 17), "IHDR\0\0\0\3\0\0\0\2\x08\2\0\0\0"s);
   EXPECT_NE(bytes.find("gAMA\0\0\xb1\x8f"s), std::string::npos);
   EXPECT_NE(bytes.find("sRGB\3"s), std::string::npos);
@@ -99,8 +98,7 @@ TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
                                   throw InputError("the disk is full");
                                 }),
                InputError);
-  std::ifstream stream(file);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "before");
+  EXPECT_EQ(test::text_of(file), "before");
   EXPECT_EQ(files(), 1u);
   EXPECT_THROW(write_picture("/dev/full/a.png", gradient(2, 2)), InputError);
   EXPECT_THROW(write_picture(folder / "none/a.png", gradient(2, 2)), InputError);
@@ -118,12 +116,7 @@ TEST_F(ImageIo, AFullDiskIsNamed) {
   const rlimit small{64, before.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  std::string said;
-  try {
-    write_picture(folder / "a.png", gradient(64, 64));
-  } catch (const InputError& error) {
-    said = error.what();
-  }
+  const std::string said = test::refusal([&] { write_picture(folder / "a.png", gradient(64, 64)); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(said, (folder / "a.png").string() + ": cannot be written: File too large");
@@ -134,8 +127,7 @@ TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
   const Picture picture = gradient(20, 20);
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
     write_picture(folder / name, picture);
-    std::ifstream stream(folder / name, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    const std::string bytes = test::text_of(folder / name);
     for (std::size_t size = 0; size + 1 < bytes.size(); size += 1 + size / 16) {
       const fs::path cut = folder / (std::string("cut") + name);
       std::ofstream(cut, std::ios::binary) << bytes.substr(0, size);
@@ -170,8 +162,7 @@ TEST_F(ImageIo, DamagedBytesNeverCrash) {
   int refused = 0;
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
     write_picture(folder / name, picture);
-    std::ifstream stream(folder / name, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    const std::string bytes = test::text_of(folder / name);
     for (int attempt = 0; attempt < 100; ++attempt) {
       std::string damaged = bytes;
       for (int hit = 0; hit < 4; ++hit) {

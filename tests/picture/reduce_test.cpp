@@ -1,10 +1,9 @@
-#include "harness/picture/reduce.hpp"
+#include "harness/picture/image_io.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "harness/picture/image_io.hpp"
 
 namespace pelage {
 namespace {
