@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"

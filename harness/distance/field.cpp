@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 
 #include "harness/distance/closed_surface.hpp"

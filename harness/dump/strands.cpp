@@ -1,7 +1,5 @@
 // The datasets of a picture of strands. docs/dump.md, section Strands, lists them.
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "harness/dump/datasets.hpp"

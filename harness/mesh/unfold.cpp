@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 

@@ -11,8 +11,6 @@
 #include <queue>
 #include <tuple>
 
-#include "harness/mesh/finish.hpp"
-
 namespace pelage {
 namespace {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 
 #include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"

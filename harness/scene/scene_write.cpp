@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
 #include "harness/scene/scene_keys.hpp"

@@ -1,9 +1,10 @@
 // Tests flipped pixels (pixels that differ by more than tolerance::flip). compare() counts them, and reports
 // the PSNR with and without them. within() accepts a picture only if its share of flipped pixels is small
 // enough. Also tests the structural similarity of pictures against values computed from its definition.
+#include "harness/compare/metrics.hpp"
+
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <map>
@@ -11,7 +12,6 @@
 #include <string>
 
 #include "harness/compare/checks.hpp"
-#include "harness/compare/metrics.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 #include "harness/record/contradiction.hpp"

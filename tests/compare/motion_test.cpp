@@ -2,7 +2,6 @@
 // larger differences fail.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 

@@ -9,7 +9,6 @@
 #include "harness/diagrams/mask_picture.hpp"
 #include "harness/diagrams/strand_lines.hpp"
 #include "harness/error.hpp"
-#include "harness/prepare/camera.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {

@@ -6,7 +6,6 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <regex>
 
@@ -205,7 +204,7 @@ TEST(StrandsDumpTable, IsWrittenFromTheDump) {
       strands::prepare_strands(scene, std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 9, 6)));
   const StrandFrame frame = reference_strands(*input, 1);
   Dumped dump{"",
-              dumped(
+              with_dump(
                   {scene, *input->mesh, frame.picture, "strands-reference", 1},
                   [&](Hdf5File& file) { dump::write_strand_frame(file, *input, frame); }, datasets_of),
               {}};

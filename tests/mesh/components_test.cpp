@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "harness/error.hpp"
 #include "harness/mesh/quality.hpp"
 #include "tests/mesh/temp_folder.hpp"
 

@@ -1,12 +1,11 @@
-// Tests files of archives, mesh files that refer to other files, and mesh files that begin with a byte-order mark.
+// Tests files of archives, mesh files that refer to other files, and mesh files that begin with a byte-order
+// mark.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 
-#include "harness/error.hpp"
 #include "harness/mesh/soup.hpp"
 #include "tests/mesh/temp_folder.hpp"
 #include "tests/support/refusal.hpp"

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "harness/error.hpp"
 #include "harness/mesh/unfold.hpp"
 #include "harness/mesh/write_ply.hpp"
 #include "tests/mesh/temp_folder.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "harness/error.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -2,7 +2,6 @@
 // between the bounds.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>

@@ -1,7 +1,6 @@
 // A mapping assigns the pixels of a frame to the work-items of a device. Each mapping is a class that
 // implements the interface `Mapping`. A tile is a rectangle of pixels.
 #pragma once
-#include <map>
 #include <memory>
 #include <span>
 #include <string>

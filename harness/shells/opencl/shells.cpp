@@ -3,7 +3,6 @@
 #include <chrono>
 #include <optional>
 
-#include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/raster_stage.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/opencl/spring_stage.hpp"

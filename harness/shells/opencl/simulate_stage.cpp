@@ -1,7 +1,5 @@
 #include "harness/shells/opencl/simulate_stage.hpp"
 
-#include <algorithm>
-
 #include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 

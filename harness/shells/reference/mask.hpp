@@ -3,7 +3,6 @@
 // Algorithm 1 of S and W. The clumping is computed by S Eq. 5 and S Algorithm 2.
 #pragma once
 #include <glm/vec2.hpp>
-#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 

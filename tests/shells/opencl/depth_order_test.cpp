@@ -1,7 +1,6 @@
 // Tests blend.order "depth": the fragments of a pixel are blended by depth (docs/shells.md, section 5).
 #include <gtest/gtest.h>
 
-#include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"

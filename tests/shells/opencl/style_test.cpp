@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "harness/compare/tolerances.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/style_scenes.hpp"

@@ -2,7 +2,6 @@
 // eye.
 #include <gtest/gtest.h>
 
-#include "harness/compare/tolerances.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 

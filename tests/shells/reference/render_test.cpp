@@ -4,11 +4,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
-#include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "tests/support/synthetic.hpp"
 
