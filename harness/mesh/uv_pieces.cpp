@@ -9,7 +9,8 @@
 #include <limits>
 #include <numbers>
 #include <queue>
-#include <tuple>
+
+#include "harness/mesh/sides.hpp"
 
 namespace pelage {
 namespace {
@@ -194,28 +195,16 @@ bool edge_separates(const Surface::Corners& a, const Surface::Corners& b) {
 }  // namespace
 
 Neighbours neighbours_of(const Surface& surface, bool in_uv) {
-  struct Side {
-    std::uint32_t a, b, face, edge;
-  };
-  std::vector<Side> sides;
-  sides.reserve(surface.triangle.size() * 3);
-  for (std::uint32_t f = 0; f < surface.triangle.size(); ++f)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t p = surface.triangle[f][k], q = surface.triangle[f][(k + 1) % 3];
-      sides.push_back({std::min(p, q), std::max(p, q), f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
-  });
+  const std::vector<Side> sides = sides_of(surface.triangle);
   const auto uv_at = [&](const Side& s, std::uint32_t p) {
-    return surface.uv[s.face][surface.triangle[s.face][s.edge] == p ? s.edge : (s.edge + 1) % 3];
+    return surface.uv[s.face][surface.triangle[s.face][s.corner] == p ? s.corner : (s.corner + 1) % 3];
   };
   Neighbours next(surface.triangle.size(), {no_face, no_face, no_face});
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const Side &x = sides[i], &y = sides[i + 1];
-    if (x.a != y.a || x.b != y.b) continue;
-    if (in_uv && (uv_at(x, x.a) != uv_at(y, x.a) || uv_at(x, x.b) != uv_at(y, x.b))) continue;
-    next[x.face][x.edge] = y.face, next[y.face][y.edge] = x.face;
+    if (x.low != y.low || x.high != y.high) continue;
+    if (in_uv && (uv_at(x, x.low) != uv_at(y, x.low) || uv_at(x, x.high) != uv_at(y, x.high))) continue;
+    next[x.face][x.corner] = y.face, next[y.face][y.corner] = x.face;
   }
   return next;
 }
