@@ -35,16 +35,11 @@ KeyValue value_at(const std::vector<Keyframe>& frames, double seconds) {
   return between(last.value, next->value, (seconds - last.time) / (next->time - last.time));
 }
 
-const Key* find(const std::vector<Key>& keys, const std::string& name) {
-  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
-  return key == keys.end() ? nullptr : &*key;
-}
-
 void check_track(const KeyTrack& track, const std::vector<Key>& keys, const std::string& source) {
   const auto refuse = [&](const std::string& what) {
     throw InputError(fmt::format("{}: keyframes.\"{}\": {}", source, track.key, what));
   };
-  const Key* key = find(keys, track.key);
+  const Key* key = find_key(keys, track.key);
   if (!key) refuse("no such key; `pelage scene` prints all keys");
   if (!may_have_keyframes(*key)) refuse("this key cannot change over time");
   if (track.frames.empty() || track.frames.size() > most_keyframes)
@@ -70,7 +65,7 @@ Scene scene_at(const Scene& scene, double seconds) {
   if (scene.keyframes.tracks.empty()) return result;
   const std::vector<Key> keys = scene_keys(result);
   for (const KeyTrack& track : scene.keyframes.tracks) {
-    const Key* key = find(keys, track.key);
+    const Key* key = find_key(keys, track.key);
     if (!key || track.frames.empty())
       throw InputError(fmt::format("keyframes.\"{}\": no such key, or no keyframe", track.key));
     set_key(*key, value_at(track.frames, seconds));

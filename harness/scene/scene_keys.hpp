@@ -51,6 +51,9 @@ struct KeyList {
 /// Returns all lists. The functions of a KeyList refer to `scene`.
 std::vector<KeyList> scene_lists(Scene& scene);
 
+/// Returns the key called `name`; null if there is none.
+const Key* find_key(const std::vector<Key>& keys, std::string_view name);
+
 /// Returns the permitted values of the string key `name`, in the order of Key::choices. Throws InputError if
 /// no key has this name.
 std::vector<std::string> choices_of(std::string_view name);

@@ -49,17 +49,13 @@ void RasterStage::begin_pass(const cl::Queue& queue, int number, Mapping& mappin
                  contact_->field(), std::int32_t(contact_->last()));
   else
     layers_.with(params_, b.vertex, *b.tip, b.dry, b.layer_table, b.screen, b.box);
-  cl::Event event = layers_.enqueue(queue, std::size_t(params_.vertices / lanes_));
-  if (events) events->emplace_back("transform", std::move(event));
+  cl::keep(events, "transform", layers_.enqueue(queue, std::size_t(params_.vertices / lanes_)));
   const auto blocks = std::size_t((params_.triangles + lanes_ - 1) / lanes_);
-  if (reach_ && reach_->depends_on_view()) {
-    cl::Event chosen = reach_->in_view(queue, params_, b.record, b.box, buffers_.corner, blocks);
-    if (events) events->emplace_back("transform", std::move(chosen));
-  }
+  if (reach_ && reach_->depends_on_view())
+    cl::keep(events, "transform", reach_->in_view(queue, params_, b.record, b.box, buffers_.corner, blocks));
   if (params_.faces != FACES_ALL) {
     facing_.with(params_, b.corner, b.screen, b.vertex, *b.tip, b.dry, b.layer_table);
-    cl::Event turned = facing_.enqueue_loop(queue, blocks);
-    if (events) events->emplace_back("transform", std::move(turned));
+    cl::keep(events, "transform", facing_.enqueue_loop(queue, blocks));
   }
   mapping.bin(queue, params_, buffers_, events);
 }
