@@ -3,6 +3,8 @@
 // (docs/shells.md).
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "harness/compare/tolerances.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
@@ -116,6 +118,87 @@ TEST_P(Mappings, AnyPictureSize) {
 
 INSTANTIATE_TEST_SUITE_P(Device, Mappings, testing::Values("tile", "pixel", "group"),
                          [](const auto& given) { return std::string(given.param); });
+
+// The kernels' code for processors without AVX-512 and for compilers without Clang's builtins. Build options
+// (kernels/dialect.clh) select this code, so the test also works on a machine with AVX-512 and Clang.
+struct Forms : testing::TestWithParam<const char*> {};
+
+TEST_P(Forms, LookLikeTheReference) {
+  const cl::Device device = pictures::device();
+  if (device.info().lanes != 16) GTEST_SKIP() << "the kernels have these forms at 16 lanes only";
+  for (const char* shading : {"curling", "wet"}) {
+    const auto input = pictures::small_frame(shading);
+    // This tuning entry becomes a build option of the kernels, which selects the code to test.
+    Shells shells(device, input, {"tile", {{GetParam(), 1}}});
+    shells.advance(pictures::frames - 1);
+    shells.frame();
+    EXPECT_TRUE(pictures::same(pictures::drawn_by_reference(*input), shells.read(), 5000)) << shading;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SixteenLanes, Forms, testing::Values("NO_AVX512", "NO_BUILTINS"),
+                         [](const auto& given) { return std::string(given.param); });
+
+// Fragments that take several samples (docs/shells.md, section 6, "Sub-steps").
+std::shared_ptr<const FrameInput> with_substeps(const FrameInput& frame, int substeps) {
+  FrameInput input = frame;
+  input.scene.fur.substeps = substeps;
+  return std::make_shared<FrameInput>(input);
+}
+
+struct Case {
+  const char* model;
+  const char* shading;
+  std::vector<const char*> mappings;
+};
+
+struct Substeps : testing::TestWithParam<Case> {};
+
+TEST_P(Substeps, LookLikeTheReferenceAndNotLikeOneLook) {
+  const auto input = with_substeps(*model_frame(GetParam().model, 16, GetParam().shading), 4);
+  const Picture expected = drawn_by_reference(*input);
+  const Picture mutant = drawn_by_reference(*with_substeps(*input, 1));
+  for (const char* mapping : GetParam().mappings) {
+    SCOPED_TRACE(mapping);
+    const Picture drawn = drawn_by_device(input, mapping);
+    const Agreement other = compare(mutant, drawn);
+    EXPECT_TRUE(same(expected, drawn, 15000));
+    EXPECT_FALSE(within(other)) << describe(other);
+  }
+}
+
+// A mapping is a way to assign pixels to work-items. On PoCL, the mapping `pixel` needs more than 40 s of CPU
+// time for the bunny's 142,307 triangles. Therefore only the mapping `tile` draws the bunny here.
+INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Substeps,
+                         testing::Values(Case{"torus", "curling", {"tile", "pixel"}},
+                                         Case{"torus", "wet", {"tile", "pixel"}},
+                                         Case{"bunny", "curling", {"tile"}}, Case{"bunny", "wet", {"tile"}}),
+                         [](const auto& given) {
+                           return std::string(given.param.model) + "_" + given.param.shading;
+                         });
+
+struct SubstepCounts : testing::TestWithParam<int> {};
+
+void expect_same(const FrameInput& input, int substeps) {
+  const auto frame = with_substeps(input, substeps);
+  const Picture expected = drawn_by_reference(*frame);
+  for (const char* mapping : {"tile", "pixel"})
+    EXPECT_TRUE(same(expected, drawn_by_device(frame, mapping), 5000)) << mapping;
+}
+
+TEST_P(SubstepCounts, CombedFurToo) {
+  expect_same(*small_frame("curling"), GetParam());
+}
+
+TEST_P(SubstepCounts, OtherReadingsToo) {
+  FrameInput input = *small_frame("wet", "separate");
+  input.scene.fur.layer_spacing = "uniform";
+  input.scene.clump.scale = "literal";
+  input.scene.clump.cells = "literal";
+  expect_same(input, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Device, SubstepCounts, testing::Values(2, 8));
 
 }  // namespace
 }  // namespace pelage

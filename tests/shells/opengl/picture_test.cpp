@@ -21,8 +21,8 @@ void expect_agreement(const Picture& expected, const Picture& drawn, std::size_t
 /// With the default options, the picture must meet the limits that also hold for the OpenCL pipeline: a PSNR
 /// of at least 60 dB, and a difference of at most 2/255 in 99.9% of the pixels.
 void expect_same(const FrameInput& input, std::size_t least_pixels) {
-  EXPECT_TRUE(same(drawn_by_reference(input), drawn_by_opengl(std::make_shared<FrameInput>(input)),
-                   least_pixels));
+  EXPECT_TRUE(
+      same(drawn_by_reference(input), drawn_by_opengl(std::make_shared<FrameInput>(input)), least_pixels));
 }
 
 void expect_same(const Cases& cases, std::size_t least_pixels = 5000) {
