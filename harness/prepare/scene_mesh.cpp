@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "harness/distance/closed_surface.hpp"
+#include "harness/distance/field.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/mesh/frames.hpp"

@@ -17,7 +17,6 @@
 #include "harness/gl/target.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
-#include "harness/shells/opengl/contact.hpp"
 #include "harness/shells/opengl/program.hpp"
 #include "harness/shells/opengl/textures.hpp"
 #include "harness/shells/opengl/vertices.hpp"

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "harness/scene/shading_models.hpp"
-#include "harness/shells/opengl/contact.hpp"
 #include "harness/shells/opengl/program.hpp"
 
 namespace pelage::rivals {

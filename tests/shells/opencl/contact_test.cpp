@@ -168,13 +168,7 @@ TEST_F(Contact, WithClippedTrianglesLooksLikeTheReference) {
 
 TEST_F(Contact, InSeveralPassesDrawsTheSamePicture) {
   const auto input = pressed();
-  const auto draw = [&](int layers) {
-    Shells shells(device(), input, {.mapping = "tile", .tuning = {}, .layers_at_once = layers});
-    shells.advance(frames - 1);
-    shells.frame();
-    return shells.read();
-  };
-  EXPECT_EQ(compare(draw(0), draw(4)).worst, 0);
+  EXPECT_EQ(compare(drawn_by_device(input, "tile"), drawn_with(input, {"tile", {}, 4})).worst, 0);
 }
 
 }  // namespace

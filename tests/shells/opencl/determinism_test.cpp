@@ -18,18 +18,10 @@ using namespace pictures;
 // The value of each tuning axis (a compile-time option of the kernels), by the name of the axis.
 using Tuning = std::map<std::string, int>;
 
-Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
-              const Tuning& tuning) {
-  Shells shells(device(), input, {mapping, tuning});
-  shells.advance(frames - 1);
-  shells.frame();
-  return shells.read();
-}
-
 TEST(Determinism, TwentyRunsAreOnePicture) {
   const auto input = small_frame("curling");
-  const Picture first = drawn(input, "tile", {});
-  for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn(input, "tile", {}))) << "run " << run;
+  const Picture first = drawn_by_device(input, "tile");
+  for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn_by_device(input, "tile"))) << "run " << run;
 }
 
 struct TilesAndGroups : testing::TestWithParam<Tuning> {};
@@ -37,7 +29,7 @@ struct TilesAndGroups : testing::TestWithParam<Tuning> {};
 TEST_P(TilesAndGroups, OfAnySizeAreOnePicture) {
   for (const char* shading : {"curling", "wet"}) {
     const auto input = small_frame(shading);
-    EXPECT_TRUE(same_bits(drawn(input, "tile", {}), drawn(input, "tile", GetParam()))) << shading;
+    EXPECT_TRUE(same_bits(drawn_by_device(input, "tile"), drawn_with(input, {"tile", GetParam()}))) << shading;
   }
 }
 
@@ -111,12 +103,12 @@ TEST(Determinism, TheFirstPictureEqualsTheNext) {
 }
 
 TEST(Determinism, AnotherSceneIsAnotherPicture) {
-  EXPECT_FALSE(same_bits(drawn(small_frame("curling"), "tile", {}), drawn(small_frame("wet"), "tile", {})));
+  EXPECT_FALSE(same_bits(drawn_by_device(small_frame("curling"), "tile"), drawn_by_device(small_frame("wet"), "tile")));
 }
 
 TEST(Determinism, MappingsAgree) {
   const auto input = small_frame("curling");
-  const Picture tile = drawn(input, "tile", {}), pixel = drawn(input, "pixel", {});
+  const Picture tile = drawn_by_device(input, "tile"), pixel = drawn_by_device(input, "pixel");
   EXPECT_TRUE(same(tile, pixel));
   // Alpha is 0 in pixels without base surface and fur. The mappings `tile` and `pixel` must set alpha to 0 in
   // the same pixels.

@@ -124,15 +124,12 @@ INSTANTIATE_TEST_SUITE_P(Device, Mappings, testing::Values("tile", "pixel", "gro
 struct Forms : testing::TestWithParam<const char*> {};
 
 TEST_P(Forms, LookLikeTheReference) {
-  const cl::Device device = pictures::device();
-  if (device.info().lanes != 16) GTEST_SKIP() << "the kernels have these forms at 16 lanes only";
+  if (device().info().lanes != 16) GTEST_SKIP() << "the kernels have these forms at 16 lanes only";
   for (const char* shading : {"curling", "wet"}) {
-    const auto input = pictures::small_frame(shading);
+    const auto input = small_frame(shading);
     // This tuning entry becomes a build option of the kernels, which selects the code to test.
-    Shells shells(device, input, {"tile", {{GetParam(), 1}}});
-    shells.advance(pictures::frames - 1);
-    shells.frame();
-    EXPECT_TRUE(pictures::same(pictures::drawn_by_reference(*input), shells.read(), 5000)) << shading;
+    const Picture drawn = drawn_with(input, {"tile", {{GetParam(), 1}}});
+    EXPECT_TRUE(same(drawn_by_reference(*input), drawn, 5000)) << shading;
   }
 }
 
