@@ -1,7 +1,8 @@
 // Functions that write the datasets of a dump (an HDF5 file with the data of one frame), one function per
 // group of datasets. docs/dump.md lists the datasets.
 #pragma once
-#include <span>
+#include <functional>
+#include <type_traits>
 #include <vector>
 
 #include "harness/compare/frame_output.hpp"
@@ -9,11 +10,13 @@
 
 namespace pelage::dump {
 
-/// Returns a view of an array of vectors as one flat array of their components, without copying.
-template <class Scalar, class Vector>
-std::span<const Scalar> flat(const std::vector<Vector>& values) {
-  static_assert(sizeof(Vector) % sizeof(Scalar) == 0);
-  return {reinterpret_cast<const Scalar*>(values.data()), values.size() * (sizeof(Vector) / sizeof(Scalar))};
+/// Returns one value per element: `value` is a member or a function of the element.
+template <class Element, class Value>
+auto column(const std::vector<Element>& elements, const Value& value) {
+  std::vector<std::remove_cvref_t<std::invoke_result_t<Value, const Element&>>> values;
+  values.reserve(elements.size());
+  for (const Element& element : elements) values.push_back(std::invoke(value, element));
+  return values;
 }
 
 /// Writes the attributes of the file: versions, pipeline, number of frames, and hashes of mesh and scene.

@@ -24,8 +24,8 @@ void write_dump(const std::filesystem::path& path, const DumpedFrame& frame,
     dump::write_shape(file, frame.mesh);
     arrays(file);
     const Picture& image = frame.picture;
-    file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},
-               dump::flat<float>(image.pixel), "1",
+    file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)},
+               image.pixel, "1",
                "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the "
                "coverage of the fur elsewhere");
     file.close();
