@@ -111,8 +111,8 @@ TEST(Droplets, EvenlyOverOneTriangle) {
 }
 
 TEST(Droplets, LieInTheLettersOfAText) {
-  const auto mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
-                            {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}});
+  const auto mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                            {{0, 1, 2}, {0, 2, 3}});
   WetnessScene wetness = rain();
   wetness.spacing = 0.5f;
   wetness.text = "H";

@@ -9,6 +9,7 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/prepare/random.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "tests/prepare/meshes.hpp"
 #include "tests/support/files.hpp"
@@ -158,6 +159,25 @@ TEST(SceneMesh, HasTheComponentsTheSceneAsksFor) {
   EXPECT_EQ(meshes.of(scene, {})->triangle.size(), 3u);
   scene.mesh.components = "largest";
   EXPECT_EQ(meshes.of(scene, {})->triangle.size(), 2u);
+}
+
+TEST(Random, IsTheSameEverywhere) {
+  const Random random(1, 2);
+  EXPECT_EQ(random.bits(0), Random(1, 2).bits(0));
+  EXPECT_NE(random.bits(0), random.bits(1));
+  EXPECT_NE(random.bits(0, 0), random.bits(0, 1));
+  EXPECT_NE(random.bits(0), Random(2, 2).bits(0));
+  EXPECT_NE(random.bits(0), Random(1, 3).bits(0));
+  double sum = 0, square = 0;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double u = random.uniform(i);
+    ASSERT_GE(u, 0.0);
+    ASSERT_LT(u, 1.0);
+    sum += u;
+    square += u * u;
+  }
+  EXPECT_NEAR(sum / 1e5, 0.5, 0.005);
+  EXPECT_NEAR(square / 1e5, 1.0 / 3.0, 0.005);
 }
 
 }  // namespace
