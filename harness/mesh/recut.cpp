@@ -11,10 +11,9 @@
 #include <optional>
 
 #include "harness/error.hpp"
-#include "harness/mesh/chart_places.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 #include "harness/mesh/flatten.hpp"
 #include "harness/mesh/sides.hpp"
-#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {

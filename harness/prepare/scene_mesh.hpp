@@ -9,7 +9,6 @@
 
 #include "harness/distance/field.hpp"
 #include "harness/mesh/mesh.hpp"
-#include "harness/scene/contact_scene.hpp"
 #include "harness/scene/scene.hpp"
 
 namespace pelage {

@@ -223,7 +223,7 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
 std::vector<std::string> members() {
   std::stringstream file;
   for (const char* name :
-       {"harness/scene/scene.hpp", "harness/scene/contact_scene.hpp", "harness/scene/strands_scene.hpp"})
+       {"harness/scene/scene.hpp", "harness/scene/strands_scene.hpp"})
     file << std::ifstream(fs::path(PELAGE_SOURCE_DIR) / name).rdbuf();
   const std::map<std::string, std::string> tables{{"FurScene", "fur."},
                                                   {"CurlScene", "curl."},
