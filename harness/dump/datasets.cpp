@@ -5,6 +5,9 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "harness/atomic_file.hpp"
+#include "harness/dump/dump.hpp"
+#include "harness/error.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/reference/layers.hpp"
@@ -88,14 +91,13 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
       "point; the weights of a point sum to 1");
 }
 
-}  // namespace
-
 void write_scene_text(Hdf5File& file, const Scene& scene) {
   const std::string text = write_scene(scene);
   file.write("scene", std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), "UTF-8",
              "the scene as TOML with all keys, as printed by `pelage scene`");
 }
 
+/// Writes the attributes of the file: versions, pipeline, number of frames, and hashes of mesh and scene.
 void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std::string& pipeline,
                  int frames) {
   const BuildInfo& build = build_info();
@@ -106,6 +108,7 @@ void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std
   file.note("scene_hash", scene_hash(scene));
 }
 
+/// Writes positions, triangles, UVs and surface points of the mesh.
 void write_shape(Hdf5File& file, const Mesh& mesh) {
   file.write("mesh/position", mesh.position, "R",
              "positions of the vertices; a surface point on a UV seam has one vertex for each of its UVs");
@@ -118,6 +121,7 @@ void write_shape(Hdf5File& file, const Mesh& mesh) {
              "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
 }
 
+/// Writes the normals, the tangents and the frames of the curl.
 void write_mesh(Hdf5File& file, const FrameInput& input) {
   file.write("mesh/normal", vertex_normals(input), "1", "unit surface normals at the vertices");
   file.write("tangent/t", input.tangents.t, "R/UV", "derivative of the surface position with respect to u");
@@ -199,6 +203,9 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
              "v and u");
 }
 
+/// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the
+/// mesh. The double-precision reference computes the displacements from the scene's strands, or from
+/// `output.tips` if a mass-spring topology moves the fur.
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
   const reference::Mask mask = reference::wetness_mask(input, output.frames);
   const bool springs = has_springs(input.scene.dynamics);
@@ -220,22 +227,8 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
       "neighbouring triangles are not connected; from the reference's motion of the strands");
 }
 
-void write_camera(Hdf5File& file, const Camera& camera) {
-  file.write("camera/rows", std::array{camera.row_x, camera.row_y, camera.row_w}, "pixels R, pixels R, R",
-             "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates "
-             "X, Y and w");
-  file.write("camera/eye", {}, std::array{camera.eye}, "R", "position of the eye");
-  file.write("camera/ray", std::array{camera.ray, camera.ray_dx, camera.ray_dy}, "1, 1/pixel, 1/pixel",
-             "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "
-             "normalized");
-  file.write("camera/pixel", std::array{camera.pixel}, "1",
-             "width of a pixel at the view depth w, divided by w");
-  file.write("camera/near", std::array{camera.near}, "R", "view depth of the near plane");
-  file.write("camera/size", std::array{std::uint32_t(camera.width), std::uint32_t(camera.height)}, "pixels",
-             "width and height of the picture");
-  write_matrices(file, camera);
-}
-
+/// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh
+/// among its colliders (docs/shells.md, section 9). Writes nothing if the scene has none.
 void write_style(Hdf5File& file, const FrameInput& input) {
   const Style& style = input.style;
   const auto write = [&](const char* name, const std::vector<float>& values, const char* what) {
@@ -261,4 +254,61 @@ void write_style(Hdf5File& file, const FrameInput& input) {
              "both divided by contact.mesh_scale");
 }
 
+}  // namespace
+
+void write_camera(Hdf5File& file, const Camera& camera) {
+  file.write("camera/rows", std::array{camera.row_x, camera.row_y, camera.row_w}, "pixels R, pixels R, R",
+             "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates "
+             "X, Y and w");
+  file.write("camera/eye", {}, std::array{camera.eye}, "R", "position of the eye");
+  file.write("camera/ray", std::array{camera.ray, camera.ray_dx, camera.ray_dy}, "1, 1/pixel, 1/pixel",
+             "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "
+             "normalized");
+  file.write("camera/pixel", std::array{camera.pixel}, "1",
+             "width of a pixel at the view depth w, divided by w");
+  file.write("camera/near", std::array{camera.near}, "R", "view depth of the near plane");
+  file.write("camera/size", std::array{std::uint32_t(camera.width), std::uint32_t(camera.height)}, "pixels",
+             "width and height of the picture");
+  write_matrices(file, camera);
+}
+
+void write_shells(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
+  write_mesh(file, input);
+  write_strands(file, input, output);
+  write_wetness(file, input, output);
+  write_textures(file, input);
+  write_layers(file, input, output);
+  write_camera(file, input.camera);
+  write_style(file, input);
+}
+
 }  // namespace pelage::dump
+
+namespace pelage {
+
+void check_dump_path(const std::filesystem::path& path) {
+  if (path.extension() != ".h5" && path.extension() != ".hdf5") {
+    throw InputError(fmt::format("{}: the name of a dump must end in .h5 or .hdf5", path.string()));
+  }
+  require_place(path);
+}
+
+void write_dump(const std::filesystem::path& path, const DumpedFrame& frame,
+                const std::function<void(Hdf5File&)>& arrays) {
+  check_dump_path(path);
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    Hdf5File file(temporary, path.string());
+    dump::write_notes(file, frame.scene, frame.mesh, frame.title, frame.frames);
+    dump::write_scene_text(file, frame.scene);
+    dump::write_shape(file, frame.mesh);
+    arrays(file);
+    const Picture& image = frame.picture;
+    file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)},
+               image.pixel, "1",
+               "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the "
+               "coverage of the fur elsewhere");
+    file.close();
+  });
+}
+
+}  // namespace pelage

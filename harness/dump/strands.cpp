@@ -44,7 +44,8 @@ void write_curves(Hdf5File& file, const StrandFrame& frame) {
   using dump::column;
   file.write("curve/point", column(frame.curves, &DrawnStrand::point), "R",
              "control points root, joint and tip of each strand, in the object's frame");
-  file.write("curve/normal", column(frame.curves, &DrawnStrand::normal), "1", "normal of the skin at the root");
+  file.write("curve/normal", column(frame.curves, &DrawnStrand::normal), "1",
+             "normal of the skin at the root");
   file.write("order/key", column(frame.order, &Entry::key), "1",
              "sort keys of the strands in the picture, from front to back");
   file.write("order/strand", column(frame.order, &Entry::strand), "1", "indices of these strands");

@@ -11,7 +11,6 @@
 #include "harness/mesh/search.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/picture/text_mask.hpp"
-#include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/seams.hpp"
 #include "harness/prepare/water.hpp"

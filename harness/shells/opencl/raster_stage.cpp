@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "harness/error.hpp"
-#include "harness/shells/opencl/packed_textures.hpp"
 #include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 
