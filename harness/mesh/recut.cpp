@@ -11,9 +11,9 @@
 #include <optional>
 
 #include "harness/error.hpp"
-#include "harness/mesh/uv_pieces.hpp"
 #include "harness/mesh/flatten.hpp"
 #include "harness/mesh/sides.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {

@@ -1,4 +1,5 @@
-// Tests the last step of mesh preparation: rotation, also by MeshOptions::rotate, and scaling to the unit sphere.
+// Tests the last step of mesh preparation: rotation, also by MeshOptions::rotate, and scaling to the unit
+// sphere.
 #include "harness/mesh/finish.hpp"
 
 #include <gtest/gtest.h>

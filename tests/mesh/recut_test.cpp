@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/mesh/uv_pieces.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {

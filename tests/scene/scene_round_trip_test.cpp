@@ -222,8 +222,7 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
 /// in "struct FurScene" gives "fur.length".
 std::vector<std::string> members() {
   std::stringstream file;
-  for (const char* name :
-       {"harness/scene/scene.hpp", "harness/scene/strands_scene.hpp"})
+  for (const char* name : {"harness/scene/scene.hpp", "harness/scene/strands_scene.hpp"})
     file << std::ifstream(fs::path(PELAGE_SOURCE_DIR) / name).rdbuf();
   const std::map<std::string, std::string> tables{{"FurScene", "fur."},
                                                   {"CurlScene", "curl."},

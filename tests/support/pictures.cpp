@@ -135,7 +135,8 @@ Cases orders_of_faces() {
 Cases other_sizes() {
   Cases cases;
   for (const auto& [width, height] : {std::pair{1, 1}, {17, 33}, {161, 99}}) {
-    FrameInput& input = cases.emplace_back(fmt::format("{}x{}", width, height), *small_frame("curling")).second;
+    FrameInput& input =
+        cases.emplace_back(fmt::format("{}x{}", width, height), *small_frame("curling")).second;
     input.camera = synthetic::camera(input.scene.camera, width, height);
     input.scene.image.width = width;
     input.scene.image.height = height;

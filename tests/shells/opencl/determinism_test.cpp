@@ -21,7 +21,8 @@ using Tuning = std::map<std::string, int>;
 TEST(Determinism, TwentyRunsAreOnePicture) {
   const auto input = small_frame("curling");
   const Picture first = drawn_by_device(input, "tile");
-  for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn_by_device(input, "tile"))) << "run " << run;
+  for (int run = 1; run < 20; ++run)
+    EXPECT_TRUE(same_bits(first, drawn_by_device(input, "tile"))) << "run " << run;
 }
 
 struct TilesAndGroups : testing::TestWithParam<Tuning> {};
@@ -29,7 +30,8 @@ struct TilesAndGroups : testing::TestWithParam<Tuning> {};
 TEST_P(TilesAndGroups, OfAnySizeAreOnePicture) {
   for (const char* shading : {"curling", "wet"}) {
     const auto input = small_frame(shading);
-    EXPECT_TRUE(same_bits(drawn_by_device(input, "tile"), drawn_with(input, {"tile", GetParam()}))) << shading;
+    EXPECT_TRUE(same_bits(drawn_by_device(input, "tile"), drawn_with(input, {"tile", GetParam()})))
+        << shading;
   }
 }
 
@@ -103,7 +105,8 @@ TEST(Determinism, TheFirstPictureEqualsTheNext) {
 }
 
 TEST(Determinism, AnotherSceneIsAnotherPicture) {
-  EXPECT_FALSE(same_bits(drawn_by_device(small_frame("curling"), "tile"), drawn_by_device(small_frame("wet"), "tile")));
+  EXPECT_FALSE(same_bits(drawn_by_device(small_frame("curling"), "tile"),
+                         drawn_by_device(small_frame("wet"), "tile")));
 }
 
 TEST(Determinism, MappingsAgree) {
