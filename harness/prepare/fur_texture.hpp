@@ -1,5 +1,5 @@
-// Generates the fur volume texture: hairs intersected with N parallel planes (section 3.1 of Silva et al.
-// 2010, Curling and Clumping Fur; see docs/shells.md).
+// Generates the fur volume texture: hairs intersected with N parallel planes (section 3.1 of S; see
+// docs/shells.md).
 #pragma once
 #include <glm/vec2.hpp>
 #include <vector>

@@ -1,6 +1,5 @@
 // The part of a scene that describes fur of single strands (docs/strands.md). The pipelines `strands` and
-// `strands-opengl` use it. R is the radius of the mesh's bounding sphere. strand_keys.cpp says what a value
-// means.
+// `strands-opengl` use it. strand_keys.cpp says what a value means.
 #pragma once
 #include <cstdint>
 #include <filesystem>

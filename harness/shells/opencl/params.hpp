@@ -1,5 +1,4 @@
-// Kernel parameters and tables, computed from a scene. S is Silva et al. 2010, Curling and Clumping Fur. B is
-// Banisch and Wuethrich 2006.
+// Kernel parameters and tables, computed from a scene.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -1,4 +1,4 @@
-// The stage that simulates the strands of Silva et al. 2010 (Curling and Clumping Fur).
+// The stage that simulates the strands of S.
 #pragma once
 #include <optional>
 
@@ -11,8 +11,7 @@
 
 namespace pelage::shells {
 
-/// Simulates all strands. Eq. 2 of Silva et al. 2010 (Curling and Clumping Fur) moves the tips, and Eq. 3
-/// limits their positions.
+/// Simulates all strands. Eq. 2 of S moves the tips, and Eq. 3 limits their positions.
 class SimulateStage {
  public:
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,

@@ -1,5 +1,5 @@
 // The mesh and its strands as vertex arrays (docs/shells.md, section 3), and the triangles that are drawn of
-// them. Lengths are in R, the radius of the mesh's bounding sphere.
+// them. Lengths are in R.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -147,11 +147,11 @@ std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& 
       side(camera.row_y, camera.row_w, top + window.height + 2.0, -1.0),
       Plane{glm::dvec3(camera.row_w), double(camera.row_w.w) - double(camera.near)}};
   // `reach` is an upper bound of the distance between a vertex on a layer and the same vertex on the base
-  // surface. Curls add at most the curl's radius to this distance. Strands of Silva et al. 2010 (Curling and
-  // Clumping Fur) add at most L0, the fur's length. Eq. 3 of that paper keeps the control points of a
-  // strand's Bezier curve within L0 of the root. The curve stays in the convex hull of its control points.
-  // Sticks of a mass-spring topology add at most L0, or sqrt(2) L0 if dynamics.bend is "tangent". The factor
-  // 1.01 allows for strand weights whose sum is not exactly 1.
+  // surface. Curls add at most the curl's radius to this distance. Strands of S add at most L0, the fur's
+  // length. Eq. 3 of that paper keeps the control points of a strand's Bezier curve within L0 of the root.
+  // The curve stays in the convex hull of its control points. Sticks of a mass-spring topology add at most
+  // L0, or sqrt(2) L0 if dynamics.bend is "tangent". The factor 1.01 allows for strand weights whose sum is
+  // not exactly 1.
   const double lean = input.scene.dynamics.bend == "tangent" ? std::sqrt(2.0) : 1.0;
   const double reach =
       1.01 * (lean * double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;

@@ -1,5 +1,4 @@
-// Computes the wetness mask and the clumping of wet fragments (docs/shells.md). S is Silva et al. 2010,
-// Curling and Clumping Fur. W is Silva et al. 2010, Real-Time Rendering of Wet Fur. The mask is computed by
+// Computes the wetness mask and the clumping of wet fragments (docs/shells.md). The mask is computed by
 // Algorithm 1 of S and W. The clumping is computed by S Eq. 5 and S Algorithm 2.
 #pragma once
 #include <glm/vec2.hpp>

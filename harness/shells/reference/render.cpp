@@ -1,5 +1,5 @@
 // Draws the base surface and then the layers from the innermost to the outermost (docs/shells.md, sections 5
-// to 7, and section 4 of Silva et al. 2010, Curling and Clumping Fur).
+// to 7, and section 4 of S).
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,6 @@
-// A mapping is a way to assign pixels to work-items. The mapping `tile` divides the picture into tiles and
-// processes the layers in batches. This file tests that `tile` draws a scene with the same bits in every run,
-// with any tile size, and with any number of layers per batch (GROUP). The file also compares the pictures of
-// the mappings `tile` and `pixel`.
+// The mapping `tile` divides the picture into tiles and processes the layers in batches. This file tests that
+// `tile` draws a scene with the same bits in every run, with any tile size, and with any number of layers per
+// batch (GROUP). The file also compares the pictures of the mappings `tile` and `pixel`.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -42,10 +41,9 @@ INSTANTIATE_TEST_SUITE_P(Full, TilesAndGroups,
                          testing::Values(Tuning{{"TILE_H", 16}}, Tuning{{"GROUP", 1}},
                                          Tuning{{"GROUP", 16}}));
 
-// The pipeline does not draw a triangle in layers where Algorithm 2 of paper S (Silva et al. 2010, Curling
-// and Clumping Fur) would discard all its fragments. The omission of these triangles must not change any bit
-// of the picture. The test compares the usual picture with a picture for which every triangle is drawn in all
-// layers (REACH = 0).
+// The pipeline does not draw a triangle in layers where Algorithm 2 of S would discard all its fragments. The
+// omission of these triangles must not change any bit of the picture. The test compares the usual picture
+// with a picture for which every triangle is drawn in all layers (REACH = 0).
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling", 160)})
     for (const char* cells : clump_borders)

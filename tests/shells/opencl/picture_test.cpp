@@ -164,8 +164,8 @@ TEST_P(Substeps, LookLikeTheReferenceAndNotLikeOneLook) {
   }
 }
 
-// A mapping is a way to assign pixels to work-items. On PoCL, the mapping `pixel` needs more than 40 s of CPU
-// time for the bunny's 142,307 triangles. Therefore only the mapping `tile` draws the bunny here.
+// On PoCL, the mapping `pixel` needs more than 40 s of CPU time for the bunny's 142,307 triangles. Therefore
+// only the mapping `tile` draws the bunny here.
 INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Substeps,
                          testing::Values(Case{"torus", "curling", {"tile", "pixel"}},
                                          Case{"torus", "wet", {"tile", "pixel"}},

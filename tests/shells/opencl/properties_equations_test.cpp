@@ -1,7 +1,7 @@
 // The kernels have functions that compute the equations of the two papers of Silva et al. (2010). This file
 // compiles these functions as C++ in double precision, and compares their results with closed forms and with
 // the independent reference. The device runs the same functions in single precision, so only rounding differs
-// there. Paper S is Silva et al. 2010, Curling and Clumping Fur.
+// there.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // Compares the kernels' strands and wetness mask with closed forms and with the reference. The inputs are
-// synthetic. Lengths are in R, the radius of the mesh's bounding sphere. Paper S is Silva et al. 2010,
-// Curling and Clumping Fur.
+// synthetic. Lengths are in R.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +18,8 @@ namespace {
 
 using synthetic::noise;
 
-/// Returns a scene with upright strands of length .1 R (R is the mesh radius), one substep per frame, and a
-/// picture of 16 x 16 pixels. There is no drag, gravity or wind.
+/// Returns a scene with upright strands of length .1 R, one substep per frame, and a picture of 16 x 16
+/// pixels. There is no drag, gravity or wind.
 Scene bare_scene() {
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .1f;
