@@ -1,5 +1,4 @@
-// The droplets of the wetness mask. S and W are the papers that docs/shells.md lists. Their Algorithm 1
-// (S 3.3, W 3.1) draws the droplets into the mask.
+// The droplets of the wetness mask. Algorithm 1 (S 3.3, W 3.1) draws them into the mask.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

@@ -1,9 +1,7 @@
 // The scene: all parameters of a picture or a timing, each with a default. The help texts of the keys in
 // scene_keys.cpp say what a value means, its unit and its range; the comments here say only what they do not.
-// The unit R of lengths is the radius of the mesh's bounding sphere. In the comments, S is "Curling and
-// Clumping Fur Represented by Texture Layers", W is "Real-Time Rendering of Wet Fur" (both Silva et al.
-// 2010), and B is Banisch and Wuethrich 2006 (docs/shells.md). scene_toml.hpp declares the functions that
-// read, check and write scenes.
+// scene_toml.hpp declares the functions that read, check and write scenes; docs/glossary.md names the papers
+// S, W and B and the unit R.
 #pragma once
 #include <array>
 #include <cstdint>

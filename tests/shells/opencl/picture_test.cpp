@@ -1,6 +1,5 @@
 // Compares the device's pictures with those of the reference. Kernels and reference were written
-// independently of each other; both follow the two papers of Silva et al. 2010
-// (docs/shells.md).
+// independently of each other; both follow S and W (docs/shells.md).
 #include <gtest/gtest.h>
 
 #include <vector>
