@@ -35,6 +35,16 @@ const MapKey keys[] = {
      [](Scene& s) -> float& { return s.curl.turns; }},
 };
 
+/// Returns the torus with wavy maps of all keys.
+std::shared_ptr<const FrameInput> with_all_maps(const std::function<void(Scene&)>& change) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  return small_torus([&](Scene& s) {
+    for (const MapKey& key : keys) key.map(s) = map;
+    change(s);
+  });
+}
+
 struct Maps : testing::TestWithParam<int> {  // the parameter is fur.substeps
   test::Folder folder;
 
@@ -79,11 +89,9 @@ TEST_P(Maps, LookLikeTheReference) {
 
 // All maps in one scene, because every further program takes seconds to compile.
 TEST_P(AllMaps, TogetherLookLikeTheReferenceInAllMappings) {
-  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  const auto input = small_torus([&](Scene& s) {
+  const auto input = with_all_maps([](Scene& s) {
     s.fur.substeps = GetParam();
     s.fur.density = 0.9f;
-    for (const MapKey& key : keys) key.map(s) = map;
   });
   const Picture expected = drawn_by_reference(*input);
   for (const std::string& mapping : mappings())
@@ -97,10 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Full, AllMaps, testing::Values(1));
 
 // An eye inside the fur, so that triangles are clipped.
 TEST(MapsOfClippedFur, LookLikeTheReference) {
-  const test::Folder folder;
-  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  const auto input = small_torus([&](Scene& s) {
-    for (const MapKey& key : keys) key.map(s) = map;
+  const auto input = with_all_maps([](Scene& s) {
     s.fur.layers = 8;
     s.camera.framed = false;
     s.camera.eye = {1.05f, .04f, 0};
@@ -110,13 +115,7 @@ TEST(MapsOfClippedFur, LookLikeTheReference) {
 }
 
 TEST(MapsOfSeparateTriangles, LookLikeTheReference) {
-  const test::Folder folder;
-  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  const auto input = small_torus([&](Scene& s) {
-    for (const MapKey& key : keys) key.map(s) = map;
-    s.fur.binding = "separate";
-  });
-  EXPECT_TRUE(drawn_alike(input, "tile"));
+  EXPECT_TRUE(drawn_alike(with_all_maps([](Scene& s) { s.fur.binding = "separate"; }), "tile"));
 }
 
 TEST(MapOfTheLength, LimitsTheMovingStrands) {
