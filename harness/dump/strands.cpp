@@ -10,7 +10,7 @@ namespace {
 
 using namespace strands;
 
-void write_strands(Hdf5File& file, const StrandInput& input, const std::vector<KeyStrand>& keys) {
+void write_strand_columns(Hdf5File& file, const StrandInput& input, const std::vector<KeyStrand>& keys) {
   const std::vector<KeyedStrand>& strands = input.fur.strands;
   const auto key = [&](const char* name, auto value, const char* units, const char* what) {
     file.write(name, dump::column(keys, value), units, what);
@@ -85,7 +85,7 @@ void write_skin(Hdf5File& file, const SkinSurface& skin, bool deforms) {
 }  // namespace
 
 void dump::write_strand_frame(Hdf5File& file, const StrandInput& input, const StrandFrame& frame) {
-  pelage::write_strands(file, input, frame.keys);
+  write_strand_columns(file, input, frame.keys);
   write_curves(file, frame);
   write_look(file, input);
   if (frame.skin) write_skin(file, *frame.skin, !input.mesh->frames.empty());

@@ -47,6 +47,7 @@ struct FurScene {
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
   float density = 1.0f;    ///< factor of the fur's coverage, 0..1
+  std::string layer_correction = "texel";
   std::filesystem::path length_map, density_map, comb_map;
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< spacing of the layers at rest: "paper" (as in S) | "uniform"

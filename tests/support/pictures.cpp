@@ -75,6 +75,7 @@ Cases models_and_bindings() {
 Cases other_readings() {
   FrameInput wet = *small_frame("wet");
   wet.scene.fur.layer_spacing = "uniform";
+  wet.scene.fur.layer_correction = "fragment";
   wet.scene.clump.scale = "literal";
   wet.scene.clump.cells = "literal";
   wet.scene.wetness.blend = "near";
