@@ -70,7 +70,8 @@ FAMILIES = {
         "curling": (r"ShadingModel::curling", []),
         "wet": (r"ShadingModel::wet", []),
         "lambert": (r"ShadingModel::lambert", []),
-    }, r'stage == "wet"|emplace_back\("wet"'),  # here "wet" is the stage or phase that computes the wetness mask
+        # Here "wet" is the stage or phase that computes the wetness mask.
+    }, r'stage == "wet"|keep\(events, "wet"|emplace_back\("wet"'),
 }
 
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/error.hpp"
-#include "harness/scene/picture_scene.hpp"
+#include "harness/scene/keyframes.hpp"
 
 namespace pelage {
 namespace {

@@ -8,7 +8,7 @@
 #include "harness/animation/frame_folder.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
-#include "harness/isolated/run_program.hpp"
+#include "harness/isolated/isolated.hpp"
 
 namespace pelage {
 namespace {

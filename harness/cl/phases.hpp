@@ -12,4 +12,9 @@ namespace pelage::cl {
 /// and the event of the launch. Event times can be read only after the queue has finished.
 using PhaseEvents = std::vector<std::pair<std::string, Event>>;
 
+/// Appends a launch of the phase to `events`, unless `events` is null.
+inline void keep(PhaseEvents* events, const char* phase, Event event) {
+  if (events) events->emplace_back(phase, std::move(event));
+}
+
 }  // namespace pelage::cl

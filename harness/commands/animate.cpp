@@ -13,7 +13,7 @@
 #include "harness/error.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/measure/interrupt.hpp"
-#include "harness/scene/picture_scene.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/version/version.hpp"
 

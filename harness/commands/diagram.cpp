@@ -10,8 +10,6 @@
 #include "harness/diagrams/mask_picture.hpp"
 #include "harness/diagrams/section.hpp"
 #include "harness/diagrams/strand_lines.hpp"
-#include "harness/diagrams/textures.hpp"
-#include "harness/diagrams/wind_arrow.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/picture/image_io.hpp"

@@ -18,7 +18,7 @@ struct FrameOutput {
   int frames = 0;  ///< number of frames simulated from rest, including this frame
   /// Silva's strands: for each triangle, the position of its strand's tip minus the position of the strand's
   /// root. Mass-spring topologies: for each stick, the position of its top mass minus the position of its
-  /// base. The unit is R, the radius of the mesh's bounding sphere.
+  /// base. The unit is R.
   std::vector<glm::vec3> tips;
   std::vector<glm::vec3> velocities;  ///< velocities of the tips in R/s
   std::vector<glm::vec4> mask;        ///< mask texels: clump centre (c_u, c_v), clump radius, wetness

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
-#include "harness/compare/pictures.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/parallel.hpp"
 #include "harness/prepare/random.hpp"

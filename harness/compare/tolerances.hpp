@@ -1,6 +1,6 @@
 // All tolerances that decide whether a result is accepted, each with its unit and its reason. Commands,
 // experiments, tuning and tests use these constants. A test in tests/house fails if another file defines a
-// tolerance. R is the radius of the mesh's bounding sphere.
+// tolerance.
 #pragma once
 
 namespace pelage::tolerance {

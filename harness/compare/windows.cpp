@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "harness/compare/pictures.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/shells/reference/reference.hpp"
 
 namespace pelage {

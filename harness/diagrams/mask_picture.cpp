@@ -4,11 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <set>
 #include <utility>
 
-#include "harness/diagrams/lines.hpp"
+#include "harness/diagrams/strand_lines.hpp"
 
 namespace pelage::diagrams {
 namespace {
@@ -69,6 +70,17 @@ std::vector<bool> inside_of(const Mesh& mesh, int side) {
 
 const glm::vec3 outside_colour(0.22f);
 
+Picture empty_picture(int width, int height) {
+  return {width, height,
+          std::vector<glm::vec4>(std::size_t(width) * std::size_t(height), glm::vec4(0, 0, 0, 1))};
+}
+
+/// Fills `width` columns of the picture from the column `x` on.
+void fill(Picture& picture, int x, int width, const glm::vec4& colour) {
+  for (int y = 0; y < picture.height; ++y)
+    for (int i = 0; i < width; ++i) picture.at(x + i, y) = colour;
+}
+
 }  // namespace
 
 glm::vec3 clump_colour(const glm::vec4& clump) {
@@ -80,7 +92,7 @@ glm::vec3 clump_colour(const glm::vec4& clump) {
 }
 
 Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask, int side) {
-  Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), {0, 0, 0, 1})};
+  Picture picture = empty_picture(side, side);
   const std::vector<bool> inside = inside_of(*input.mesh, side);
   const int size = input.scene.wetness.size;
   const bool discs = input.scene.clump.cells == "consistent";  // a clump ends at its radius, not at a texel
@@ -104,6 +116,41 @@ Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask
   };
   if (mean_length(mesh, edges.inner, side) >= least_edge) draw(edges.inner, {1, 1, 1, 0.4f}, 1.0);
   draw(edges.border, {1, 1, 1, 0.9f}, 1.5);
+  return picture;
+}
+
+Picture coat_picture(const CoatTexture& coat) {
+  Picture picture = empty_picture(coat.size, coat.size);
+  for (int y = 0; y < coat.size; ++y)
+    for (int x = 0; x < coat.size; ++x) {
+      const auto& t = coat.texel[std::size_t(coat.size - 1 - y) * std::size_t(coat.size) + std::size_t(x)];
+      picture.at(x, y) = glm::vec4(t[0], t[1], t[2], 255) / 255.0f;
+    }
+  return picture;
+}
+
+Picture slices_picture(const FurTexture& fur) {
+  constexpr int shown = 4, gap = 8;  // number of slices; width of the line between them in pixels
+  const int side = std::min(fur.size, 64), zoom = 256 / side, width = zoom * side;
+  const auto grey = [&](int layer, int x, int y) {
+    const auto row = std::size_t(layer) * std::size_t(fur.size) + std::size_t(y);
+    const auto& t = fur.level[0][row * std::size_t(fur.size) + std::size_t(x)];
+    return float(t[0]) / 255.0f * float(t[1]) / 127.5f;
+  };
+  Picture picture = empty_picture(shown * width + (shown - 1) * gap, width);
+  float brightest = 0;
+  for (int i = 0; i < shown; ++i) {
+    const int layer = fur.layers * (2 * i + 1) / (2 * shown);
+    for (int y = 0; y < width; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float here = grey(layer, x / zoom, (width - 1 - y) / zoom);
+        picture.at(i * (width + gap) + x, y) = glm::vec4(here, here, here, 1);
+        brightest = std::max(brightest, here);
+      }
+  }
+  for (glm::vec4& pixel : picture.pixel)
+    if (brightest > 0) pixel = glm::vec4(glm::sqrt(glm::vec3(pixel) / brightest), 1);
+  for (int i = 1; i < shown; ++i) fill(picture, i * (width + gap) - gap, gap, glm::vec4(0.5f, 0.5f, 0.5f, 1));
   return picture;
 }
 

@@ -1,5 +1,5 @@
 // The wetness mask as a picture, with the triangles of the UV map over it, as in the insets of S Fig. 5, 11
-// and 12 and W Fig. 1, 3 and 6 (docs/experiments.md).
+// and 12 and W Fig. 1, 3 and 6 (docs/experiments.md), and the textures of the fur, as in S Fig. 3.
 #pragma once
 #include <vector>
 
@@ -22,5 +22,14 @@ glm::vec3 clump_colour(const glm::vec4& clump);
 /// borders and seams of the UV map are drawn in white and the edges of its triangles in a weaker white; the
 /// edges are left out if they would be shorter than least_edge on average.
 Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask, int side);
+
+/// Returns the coat's texture, one pixel per texel; the top row is at v = 1.
+Picture coat_picture(const CoatTexture& coat);
+
+/// Returns four slices of the fur's texture side by side, with a grey line of 8 pixels between them: those of
+/// the layers floor(N (2 i + 1) / 8), i = 0..3. A slice shows the 64 x 64 texels from (u, v) = 0 on (the
+/// whole slice if it is smaller) on 256 x 256 pixels. The value of a pixel is the square root of the coverage
+/// times the strand's shade, divided by the greatest value of the four slices. v increases upwards.
+Picture slices_picture(const FurTexture& fur);
 
 }  // namespace pelage::diagrams

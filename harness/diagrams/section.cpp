@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <glm/common.hpp>
 
 #include "harness/compare/frame_output.hpp"

@@ -1,9 +1,12 @@
 #include "harness/diagrams/strand_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
-#include "harness/diagrams/lines.hpp"
+#include "harness/error.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/layers.hpp"
 
@@ -63,6 +66,10 @@ std::vector<std::uint32_t> stick_vertices(const FrameInput& input) {
   return vertex;
 }
 
+constexpr glm::vec4 red{0.9f, 0.1f, 0.08f, 1};
+constexpr double head = 0.3;              // length of the head's lines, as a fraction of the arrow's length
+constexpr double least_on_screen = 0.02;  // shortest arrow, as a fraction of the picture's height
+
 }  // namespace
 
 std::vector<Curve> strand_curves(const FrameInput& input, const std::vector<glm::vec3>& tips,
@@ -110,6 +117,48 @@ void draw_strands(Picture& picture, const FrameInput& input, const std::vector<C
       draw_line(picture, centre + glm::dvec2(a.x, a.y) / a.w, centre + glm::dvec2(b.x, b.y) / b.w, width,
                 {1, 1, 1, 1}, in_front);
     }
+}
+
+void draw_line(Picture& picture, glm::dvec2 a, glm::dvec2 b, double width, const glm::vec4& colour,
+               const Visible& visible) {
+  const glm::dvec2 d = b - a;
+  const double square = glm::dot(d, d), reach = 0.5 * width + 0.5;
+  const auto first = [&](double p, double q) { return std::max(0, int(std::floor(std::min(p, q) - reach))); };
+  const auto last = [&](double p, double q, int side) {
+    return std::min(side - 1, int(std::ceil(std::max(p, q) + reach)));
+  };
+  for (int y = first(a.y, b.y); y <= last(a.y, b.y, picture.height); ++y)
+    for (int x = first(a.x, b.x); x <= last(a.x, b.x, picture.width); ++x) {
+      const glm::dvec2 centre(x + 0.5, y + 0.5);
+      const double along = square > 0 ? std::clamp(glm::dot(centre - a, d) / square, 0.0, 1.0) : 0.0;
+      const double cover = std::clamp(reach - glm::distance(centre, a + along * d), 0.0, 1.0);
+      if (!(cover > 0) || (visible && !visible(x, y, along))) continue;
+      const float opacity = float(cover) * colour.a;
+      glm::vec4& pixel = picture.at(x, y);
+      pixel = glm::mix(pixel, glm::vec4(glm::vec3(colour), 1), opacity);
+    }
+}
+
+void draw_wind_arrow(Picture& picture, const FrameInput& input, double width) {
+  const WindScene& wind = input.scene.dynamics.wind;
+  if (!(wind.strength > 0)) throw InputError("dynamics.wind.strength is 0, so there is no wind to draw");
+  const Camera& camera = input.camera;
+  const double height = picture.height, depth = reference::project(camera, glm::dvec3(0)).w;
+  const glm::dvec3 middle =
+      glm::dvec3(camera.eye) + depth * (glm::dvec3(camera.ray) - 0.375 * height * glm::dvec3(camera.ray_dy));
+  const glm::dvec3 half =
+      0.125 * height * depth * double(camera.pixel) * glm::normalize(glm::dvec3(wind.direction));
+  const auto on_screen = [&](const glm::dvec3& point) {
+    const reference::ClipPoint p = reference::project(camera, point);
+    return glm::dvec2(0.5 * picture.width, 0.5 * height) + glm::dvec2(p.x, p.y) / p.w;
+  };
+  const glm::dvec2 from = on_screen(middle - half), to = on_screen(middle + half), along = to - from;
+  if (glm::length(along) < least_on_screen * height)
+    throw InputError("dynamics.wind.direction is the line of sight; an arrow cannot show it");
+  const glm::dvec2 across(-along.y, along.x);
+  draw_line(picture, from, to, width, red);
+  for (const double side : {-0.5, 0.5})
+    draw_line(picture, to, to - head * (along + side * across), width, red);
 }
 
 }  // namespace pelage::diagrams

@@ -5,6 +5,9 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "harness/atomic_file.hpp"
+#include "harness/dump/dump.hpp"
+#include "harness/error.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/reference/layers.hpp"
@@ -73,33 +76,28 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
 void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
-  const std::size_t faces = strands.normal.size(), links = strands.face.size();
-  file.write("strand/normal", {faces, 3}, flat<float>(strands.normal), "1",
-             "unit normals n of the triangles");
-  file.write("strand/anchor", {faces, 3}, flat<float>(strands.anchor), "R",
+  file.write("strand/normal", strands.normal, "1", "unit normals n of the triangles");
+  file.write("strand/anchor", strands.anchor, "R",
              "vectors from the roots to the rest positions of the tips; their length is fur.length, or with "
              "fur.length_map that of the strand");
-  file.write("strand/phase", {faces, 2}, flat<float>(strands.phase), "1",
-             "cosine and sine of the wind gust's phase at the root");
-  file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",
+  file.write("strand/phase", strands.phase, "1", "cosine and sine of the wind gust's phase at the root");
+  file.write("weight/row", strands.row, "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
-  file.write("weight/strand", {links}, std::span<const std::uint32_t>(strands.face), "1",
+  file.write("weight/strand", strands.face, "1",
              "index of the strand of each entry, which is also the index of the strand's triangle");
   file.write(
-      "weight/value", {links}, std::span<const float>(strands.weight), "1",
+      "weight/value", strands.weight, "1",
       "weight of each entry: area of the triangle, divided by the total area of all triangles at the surface "
       "point; the weights of a point sum to 1");
 }
 
-}  // namespace
-
 void write_scene_text(Hdf5File& file, const Scene& scene) {
   const std::string text = write_scene(scene);
-  file.write("scene", {text.size()},
-             std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), "UTF-8",
+  file.write("scene", std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), "UTF-8",
              "the scene as TOML with all keys, as printed by `pelage scene`");
 }
 
+/// Writes the attributes of the file: versions, pipeline, number of frames, and hashes of mesh and scene.
 void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std::string& pipeline,
                  int frames) {
   const BuildInfo& build = build_info();
@@ -110,33 +108,28 @@ void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std
   file.note("scene_hash", scene_hash(scene));
 }
 
+/// Writes positions, triangles, UVs and surface points of the mesh.
 void write_shape(Hdf5File& file, const Mesh& mesh) {
-  const std::size_t vertices = mesh.position.size(), faces = mesh.triangle.size();
-  file.write("mesh/position", {vertices, 3}, flat<float>(mesh.position), "R",
+  file.write("mesh/position", mesh.position, "R",
              "positions of the vertices; a surface point on a UV seam has one vertex for each of its UVs");
-  file.write("mesh/triangle", {faces, 3}, flat<std::uint32_t>(mesh.triangle), "1",
+  file.write("mesh/triangle", mesh.triangle, "1",
              "indices of each triangle's three vertices, counter-clockwise seen from outside; triangles are "
              "drawn in "
              "this order");
-  file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
-  file.write("mesh/point", {vertices}, std::span<const std::uint32_t>(mesh.weld), "1",
+  file.write("mesh/uv", mesh.uv, "UV", "texture coordinates");
+  file.write("mesh/point", mesh.weld, "1",
              "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
 }
 
+/// Writes the normals, the tangents and the frames of the curl.
 void write_mesh(Hdf5File& file, const FrameInput& input) {
-  const std::size_t vertices = input.mesh->position.size(), points = input.mesh->welded;
-  file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1",
-             "unit surface normals at the vertices");
-  file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV",
-             "derivative of the surface position with respect to u");
-  file.write("tangent/b", {vertices, 3}, flat<float>(input.tangents.b), "R/UV",
-             "derivative of the surface position with respect to v");
-  file.write("curl/u", {points, 3}, flat<float>(input.curl.u), "1",
-             "first axis of the curl at each surface point, unit length");
-  file.write("curl/v", {points, 3}, flat<float>(input.curl.v), "1",
-             "second axis of the curl at each surface point, unit length");
+  file.write("mesh/normal", vertex_normals(input), "1", "unit surface normals at the vertices");
+  file.write("tangent/t", input.tangents.t, "R/UV", "derivative of the surface position with respect to u");
+  file.write("tangent/b", input.tangents.b, "R/UV", "derivative of the surface position with respect to v");
+  file.write("curl/u", input.curl.u, "1", "first axis of the curl at each surface point, unit length");
+  file.write("curl/v", input.curl.v, "1", "second axis of the curl at each surface point, unit length");
   file.write(
-      "curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
+      "curl/mask_uv", input.curl.mask_uv, "UV",
       "UV at which the wetness mask is read for each surface point; this is the UV of the first of the "
       "point's vertices");
 }
@@ -149,19 +142,15 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
     root.assign(topology.mass.begin(), tops);
     rest.assign(tops, topology.mass.end());
   }
-  const std::size_t count = root.size();
-  file.write("strand/root", {count, 3}, flat<float>(root), "R",
-             "roots: centroids of the triangles, or bases of the sticks");
-  file.write("strand/rest", {count, 3}, flat<float>(rest), "R",
+  file.write("strand/root", root, "R", "roots: centroids of the triangles, or bases of the sticks");
+  file.write("strand/rest", rest, "R",
              "positions of the tips at rest: root + anchor, or for sticks root + L0 n");
-  file.write("strand/tip", {count, 3}, flat<float>(sum(root, output.tips)), "R",
-             "positions of the tips in this frame: root + q");
-  file.write("strand/offset", {count, 3}, flat<float>(output.tips), "R",
+  file.write("strand/tip", sum(root, output.tips), "R", "positions of the tips in this frame: root + q");
+  file.write("strand/offset", output.tips, "R",
              "q of this frame: positions of the tips relative to the roots");
-  file.write("strand/velocity", {count, 3}, flat<float>(output.velocities), "R/s",
-             "v of this frame: velocities of the tips");
+  file.write("strand/velocity", output.velocities, "R/s", "v of this frame: velocities of the tips");
   if (has_springs(input.scene.dynamics))
-    file.write("stick/normal", {input.stick_normal.size(), 3}, flat<float>(input.stick_normal), "1",
+    file.write("stick/normal", input.stick_normal, "1",
                "direction at rest of the stick at each surface point, unit length");
   else
     write_strand_rules(file, input.strands);
@@ -169,40 +158,29 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
 
 void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
   const auto side = static_cast<std::size_t>(input.scene.wetness.size);
-  const std::size_t drops = input.droplets.size();
-  std::vector<glm::vec2> centre;
-  std::vector<glm::vec3> point;
-  std::vector<float> radius, wetness, reach, arrival;
-  std::vector<std::uint32_t> number;
-  for (const Droplet& drop : input.droplets) {
-    centre.push_back(drop.centre);
-    point.push_back(drop.point);
-    radius.push_back(drop.radius);
-    wetness.push_back(drop.wetness);
-    reach.push_back(drop.reach);
-    arrival.push_back(drop.arrival);
-    number.push_back(drop.number == Droplet::alone ? std::uint32_t(number.size()) : drop.number);
-  }
-  const auto column = [](const std::vector<float>& values) { return std::span<const float>(values); };
-  file.write("droplet/centre", {drops, 2}, flat<float>(centre), "UV",
-             "centres c_drop of the droplets, in the order of blending");
-  file.write("droplet/radius", {drops}, column(radius), "UV", "radii r_drop of the droplets");
-  file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the soaked droplets");
-  file.write("droplet/arrival", {drops}, column(arrival), "s", "times at which the droplets arrive");
-  file.write("droplet/rho", {drops}, column(wetness_of_picture(input, output.frames)), "1",
+  const auto write = [&](const char* name, auto Droplet::*member, const char* units, const char* what) {
+    file.write(name, column(input.droplets, member), units, what);
+  };
+  write("droplet/centre", &Droplet::centre, "UV", "centres c_drop of the droplets, in the order of blending");
+  write("droplet/radius", &Droplet::radius, "UV", "radii r_drop of the droplets");
+  write("droplet/wetness", &Droplet::wetness, "1", "wetness rho_drop of the soaked droplets");
+  write("droplet/arrival", &Droplet::arrival, "s", "times at which the droplets arrive");
+  file.write("droplet/rho", wetness_of_picture(input, output.frames), "1",
              "rho, the wetness of the droplets in this picture; 0: not blended into the mask");
-  file.write("droplet/point", {drops, 3}, flat<float>(point), "R",
-             "surface point whose UV is the centre of the droplet or of the droplet that this one repeats");
-  file.write(
-      "droplet/reach", {drops}, column(reach), "R",
-      "largest distance at which a droplet wets the surface, measured from the droplet's surface point");
-  file.write("droplet/number", {drops}, std::span<const std::uint32_t>(number), "1",
+  write("droplet/point", &Droplet::point, "R",
+        "surface point whose UV is the centre of the droplet or of the droplet that this one repeats");
+  write("droplet/reach", &Droplet::reach, "R",
+        "largest distance at which a droplet wets the surface, measured from the droplet's surface point");
+  std::vector<std::uint32_t> number = column(input.droplets, &Droplet::number);
+  for (std::uint32_t i = 0; i < number.size(); ++i)
+    if (number[i] == Droplet::alone) number[i] = i;
+  file.write("droplet/number", number, "1",
              "adjacent droplets of equal number are one droplet and its repetitions across UV seams");
   file.write(
-      "mask_surface", {side, side, 3}, flat<float>(input.mask_surface), "R",
+      "mask_surface", {side, side}, input.mask_surface, "R",
       "surface point at the centre of each texel of the wetness mask; the axes of the array are v and u");
   file.write(
-      "mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
+      "mask", {side, side}, output.mask, "UV, UV, UV, 1",
       "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 if no "
       "droplet touches the texel; the axes of the array are v and u");
 }
@@ -212,19 +190,22 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
   const auto layers = static_cast<std::size_t>(fur.layers), coat = static_cast<std::size_t>(input.coat.size);
   for (std::size_t level = 0; level < fur.level.size(); ++level) {
     const std::size_t side = static_cast<std::size_t>(fur.size) >> level;
-    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
-               flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
+    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side}, fur.level[level],
+               "1/255, 1/127.5",
                "coverage of the fur, and factor that multiplies the coat's colour; the axes of the array are "
                "layer, v and u");
   }
-  file.write("fur_scale", {2}, std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
+  file.write("fur_scale", std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
              "number of repeats of the fur texture per unit of u and of v: fur.tile l_u and fur.tile l_v, "
              "rounded to integers of at least 1 if the UV map is periodic");
-  file.write("colour", {coat, coat, 4}, flat<std::uint8_t>(input.coat.texel), "1/255",
+  file.write("colour", {coat, coat}, input.coat.texel, "1/255",
              "colours of the coat in gamma space (R, G, B and an unused channel); the axes of the array are "
              "v and u");
 }
 
+/// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the
+/// mesh. The double-precision reference computes the displacements from the scene's strands, or from
+/// `output.tips` if a mass-spring topology moves the fur.
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
   const reference::Mask mask = reference::wetness_mask(input, output.frames);
   const bool springs = has_springs(input.scene.dynamics);
@@ -241,33 +222,93 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
     }
   }
   file.write(
-      "layer/offset", {layers, geometry.slots(), 3}, flat<float>(offset), "R",
+      "layer/offset", {layers, geometry.slots()}, offset, "R",
       "displacement B + phi of each vertex of each layer, or of each corner of a triangle if the layers of "
       "neighbouring triangles are not connected; from the reference's motion of the strands");
 }
 
-void write_camera(Hdf5File& file, const Camera& camera) {
-  const auto numbers = [](std::initializer_list<glm::vec3> vectors) {
-    std::vector<float> values;
-    for (const glm::vec3& v : vectors) values.insert(values.end(), {v.x, v.y, v.z});
-    return values;
+/// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh
+/// among its colliders (docs/shells.md, section 9). Writes nothing if the scene has none.
+void write_style(Hdf5File& file, const FrameInput& input) {
+  const Style& style = input.style;
+  const auto write = [&](const char* name, const std::vector<float>& values, const char* what) {
+    if (!values.empty()) file.write(name, values, "1", what);
   };
-  std::vector<float> rows;
-  for (const glm::vec4& row : {camera.row_x, camera.row_y, camera.row_w})
-    rows.insert(rows.end(), {row.x, row.y, row.z, row.w});
-  file.write("camera/rows", {3, 4}, rows, "pixels R, pixels R, R",
+  write("style/length", style.length, "factor of fur.length of each strand");
+  write("style/comb", style.comb, "factor of fur.comb at each surface point");
+  write("style/radius", style.curl_radius, "factor of curl.radius at each surface point");
+  write("style/turns", style.curl_turns, "factor of curl.turns at each surface point");
+  const Style::Density& density = style.density;
+  if (!density.value.empty())
+    file.write("style/density", {std::size_t(density.height), std::size_t(density.width)}, density.value, "1",
+               "factor of fur.density at the centres of the map's pixels, top row (v = 1) first");
+  const DistanceField* field = input.contact_field.get();
+  if (!field) return;
+  file.write("contact/field",
+             {std::size_t(field->nodes.z), std::size_t(field->nodes.y), std::size_t(field->nodes.x)},
+             field->distance, "1",
+             "distances from the mesh among the colliders, divided by contact.mesh_scale, negative inside; "
+             "the axes of the array are z, y and x");
+  file.write("contact/grid", std::array{field->origin.x, field->origin.y, field->origin.z, field->cell}, "1",
+             "position of the field's first node relative to the mesh, and the distance of adjacent nodes, "
+             "both divided by contact.mesh_scale");
+}
+
+}  // namespace
+
+void write_camera(Hdf5File& file, const Camera& camera) {
+  file.write("camera/rows", std::array{camera.row_x, camera.row_y, camera.row_w}, "pixels R, pixels R, R",
              "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates "
              "X, Y and w");
-  file.write("camera/eye", {3}, numbers({camera.eye}), "R", "position of the eye");
-  file.write("camera/ray", {3, 3}, numbers({camera.ray, camera.ray_dx, camera.ray_dy}), "1, 1/pixel, 1/pixel",
+  file.write("camera/eye", {}, std::array{camera.eye}, "R", "position of the eye");
+  file.write("camera/ray", std::array{camera.ray, camera.ray_dx, camera.ray_dy}, "1, 1/pixel, 1/pixel",
              "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "
              "normalized");
-  file.write("camera/pixel", {1}, std::array{camera.pixel}, "1",
+  file.write("camera/pixel", std::array{camera.pixel}, "1",
              "width of a pixel at the view depth w, divided by w");
-  file.write("camera/near", {1}, std::array{camera.near}, "R", "view depth of the near plane");
-  file.write("camera/size", {2}, std::array{std::uint32_t(camera.width), std::uint32_t(camera.height)},
-             "pixels", "width and height of the picture");
+  file.write("camera/near", std::array{camera.near}, "R", "view depth of the near plane");
+  file.write("camera/size", std::array{std::uint32_t(camera.width), std::uint32_t(camera.height)}, "pixels",
+             "width and height of the picture");
   write_matrices(file, camera);
 }
 
+void write_shells(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
+  write_mesh(file, input);
+  write_strands(file, input, output);
+  write_wetness(file, input, output);
+  write_textures(file, input);
+  write_layers(file, input, output);
+  write_camera(file, input.camera);
+  write_style(file, input);
+}
+
 }  // namespace pelage::dump
+
+namespace pelage {
+
+void check_dump_path(const std::filesystem::path& path) {
+  if (path.extension() != ".h5" && path.extension() != ".hdf5") {
+    throw InputError(fmt::format("{}: the name of a dump must end in .h5 or .hdf5", path.string()));
+  }
+  require_place(path);
+}
+
+void write_dump(const std::filesystem::path& path, const DumpedFrame& frame,
+                const std::function<void(Hdf5File&)>& arrays) {
+  check_dump_path(path);
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    Hdf5File file(temporary, path.string());
+    dump::write_notes(file, frame.scene, frame.mesh, frame.title, frame.frames);
+    dump::write_scene_text(file, frame.scene);
+    dump::write_shape(file, frame.mesh);
+    arrays(file);
+    const Picture& image = frame.picture;
+    file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)},
+               image.pixel, "1",
+               "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the "
+               "coverage of the fur elsewhere");
+    file.close();
+  });
+}
+
+}  // namespace pelage

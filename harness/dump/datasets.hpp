@@ -1,7 +1,7 @@
-// Functions that write the datasets of a dump (an HDF5 file with the data of one frame), one function per
-// group of datasets. docs/dump.md lists the datasets.
+// Functions for the datasets of a dump (an HDF5 file with the data of one frame). docs/dump.md lists them.
 #pragma once
-#include <span>
+#include <functional>
+#include <type_traits>
 #include <vector>
 
 #include "harness/compare/frame_output.hpp"
@@ -9,32 +9,15 @@
 
 namespace pelage::dump {
 
-/// Returns a view of an array of vectors as one flat array of their components, without copying.
-template <class Scalar, class Vector>
-std::span<const Scalar> flat(const std::vector<Vector>& values) {
-  static_assert(sizeof(Vector) % sizeof(Scalar) == 0);
-  return {reinterpret_cast<const Scalar*>(values.data()), values.size() * (sizeof(Vector) / sizeof(Scalar))};
+/// Returns one value per element: `value` is a member or a function of the element.
+template <class Element, class Value>
+auto column(const std::vector<Element>& elements, const Value& value) {
+  std::vector<std::remove_cvref_t<std::invoke_result_t<Value, const Element&>>> values;
+  values.reserve(elements.size());
+  for (const Element& element : elements) values.push_back(std::invoke(value, element));
+  return values;
 }
 
-/// Writes the attributes of the file: versions, pipeline, number of frames, and hashes of mesh and scene.
-void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std::string& pipeline,
-                 int frames);
-void write_scene_text(Hdf5File& file, const Scene& scene);
-/// Writes positions, triangles, UVs and surface points of the mesh.
-void write_shape(Hdf5File& file, const Mesh& mesh);
-/// Writes the normals, the tangents and the frames of the curl.
-void write_mesh(Hdf5File& file, const FrameInput& input);
-void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
-void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
-void write_textures(Hdf5File& file, const FrameInput& input);
 void write_camera(Hdf5File& file, const Camera& camera);
-/// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh
-/// among its colliders (docs/shells.md, section 9). Writes nothing if the scene has none.
-void write_style(Hdf5File& file, const FrameInput& input);
-
-/// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the
-/// mesh. The double-precision reference computes the displacements from the scene's strands, or from
-/// `output.tips` if a mass-spring topology moves the fur.
-void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
 
 }  // namespace pelage::dump

@@ -1,10 +1,12 @@
 // Runs a function in a child process. A crash, an endless loop or excessive memory use of this function then
-// becomes an InputError in the calling process.
+// becomes an InputError in the calling process. Also runs other programs, without a shell.
 #pragma once
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace pelage {
 
@@ -28,5 +30,21 @@ using Say = std::function<void(const std::string&)>;
 /// limit or any other exception becomes an InputError that begins with `name`.
 std::string isolated(const std::string& name, const Limits& limits,
                      const std::function<std::string(const Say&)>& work, const Say& progress);
+
+struct ProgramOutcome {
+  int code = -1;         ///< exit code; 127: the program cannot be started; -1: it ended by a signal
+  std::string messages;  ///< what it wrote to stdout and stderr
+};
+
+/// Runs the program words[0], which is a path or a name that is searched on PATH, with the arguments that
+/// follow. The program reads nothing from stdin. It runs in `folder`, or in the present folder if `folder` is
+/// empty.
+ProgramOutcome run_program(std::vector<std::string> words, const std::filesystem::path& folder = {});
+
+/// True if a folder of PATH contains the program `name`.
+bool on_path(const std::string& name);
+
+/// Returns the last line of a text, without empty lines at its end.
+std::string last_line(std::string text);
 
 }  // namespace pelage

@@ -1,7 +1,5 @@
 #include "harness/mesh/cache.hpp"
 
-#include "harness/mesh/finish.hpp"
-
 namespace pelage {
 namespace {
 

@@ -3,7 +3,6 @@
 // types.
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "harness/mesh/mesh_text.hpp"

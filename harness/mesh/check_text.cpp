@@ -3,13 +3,9 @@
 // check the counts in a header.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
-#include "harness/error.hpp"
 #include "harness/mesh/mesh_text.hpp"
 #include "harness/mesh/soup.hpp"
 

@@ -10,11 +10,10 @@
 #include <numeric>
 
 #include "harness/error.hpp"
+#include "harness/mesh/sides.hpp"
 
 namespace pelage {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;
 
 std::size_t count_of(const std::vector<std::uint32_t>& component) {
   return component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + std::size_t(1);
@@ -110,24 +109,15 @@ double pack(std::vector<Chart>& charts) {
 }  // namespace
 
 std::vector<std::uint32_t> components(const Surface& surface) {
-  std::vector<std::uint32_t> root(surface.point.size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t p) {
-    while (root[p] != p) p = root[p] = root[root[p]];
-    return p;
-  };
-  for (const auto& t : surface.triangle) {
-    for (const std::uint32_t p : {t[1], t[2]}) {
-      const std::uint32_t a = find(t[0]), b = find(p);
-      root[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  std::vector<std::uint32_t> number(surface.point.size(), none), component;
+  Groups groups(surface.point.size());
+  for (const auto& t : surface.triangle)
+    for (const std::uint32_t p : {t[1], t[2]}) groups.join(t[0], p);
+  std::vector<std::uint32_t> number(surface.point.size(), no_index), component;
   component.reserve(surface.triangle.size());
   std::uint32_t next = 0;
   for (const auto& t : surface.triangle) {
-    std::uint32_t& n = number[find(t[0])];
-    if (n == none) n = next++;
+    std::uint32_t& n = number[groups.find(t[0])];
+    if (n == no_index) n = next++;
     component.push_back(n);
   }
   return component;
@@ -136,11 +126,7 @@ std::vector<std::uint32_t> components(const Surface& surface) {
 void turn_outwards(Surface& surface) {
   const std::vector<std::uint32_t> component = components(surface);
   const std::size_t count = count_of(component);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
-  sides.reserve(surface.triangle.size() * 3);
-  for (const auto& [a, b, c] : surface.triangle)
-    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) sides.emplace_back(p, q);
-  std::sort(sides.begin(), sides.end());
+  const auto sides = directed_sides(surface.triangle);
   std::vector<char> open(count, 0);
   std::vector<double> volume(count, 0);
   std::vector<glm::dvec3> origin(count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
@@ -166,12 +152,12 @@ void turn_outwards(Surface& surface) {
 std::vector<Surface> split(const Surface& surface) {
   const std::vector<std::uint32_t> component = components(surface);
   std::vector<Surface> parts(count_of(component));
-  std::vector<std::uint32_t> number(surface.point.size(), none);
+  std::vector<std::uint32_t> number(surface.point.size(), no_index);
   for (std::size_t f = 0; f < surface.triangle.size(); ++f) {
     Surface& part = parts[component[f]];
     Surface::Triangle t = surface.triangle[f];
     for (std::uint32_t& p : t) {
-      if (number[p] == none) {
+      if (number[p] == no_index) {
         number[p] = std::uint32_t(part.point.size());
         part.point.push_back(surface.point[p]);
       }

@@ -6,12 +6,13 @@
 #include <numeric>
 #include <queue>
 #include <span>
-#include <tuple>
+
+#include "harness/mesh/sides.hpp"
 
 namespace pelage {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t none = no_index;
 constexpr double far = std::numeric_limits<double>::max();
 
 struct Edge {
@@ -34,30 +35,18 @@ struct Graph {
 };
 
 Graph make_graph(const Surface& surface) {
-  struct Side {
-    std::uint32_t a, b, face, corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(surface.triangle.size() * 3);
-  for (std::uint32_t f = 0; f < surface.triangle.size(); ++f) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t p = surface.triangle[f][k], q = surface.triangle[f][(k + 1) % 3];
-      sides.push_back({std::min(p, q), std::max(p, q), f, k});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.a, x.b, x.face, x.corner) < std::tie(y.a, y.b, y.face, y.corner);
-  });
+  const std::vector<Side> sides = sides_of(surface.triangle);
   Graph graph;
   graph.of_face.resize(surface.triangle.size());
   graph.edge.reserve(sides.size() / 2 + 1);
   for (const Side& side : sides) {
-    const bool second = !graph.edge.empty() && graph.edge.back().a == side.a && graph.edge.back().b == side.b;
+    const bool second =
+        !graph.edge.empty() && graph.edge.back().a == side.low && graph.edge.back().b == side.high;
     if (second) {
       graph.edge.back().right = side.face;
     } else {
-      graph.edge.push_back(
-          {side.a, side.b, side.face, none, glm::distance(surface.point[side.a], surface.point[side.b])});
+      graph.edge.push_back({side.low, side.high, side.face, none,
+                            glm::distance(surface.point[side.low], surface.point[side.high])});
     }
     graph.of_face[side.face][side.corner] = std::uint32_t(graph.edge.size() - 1);
   }
@@ -212,12 +201,7 @@ Disk cut_open(const Surface& surface, const CutPlan& plan) {
 
   // A surface point on a cut becomes several vertices of the disk. If two triangles share an uncut edge, they
   // share one vertex of the disk at each end point of the edge.
-  std::vector<std::uint32_t> root(surface.triangle.size() * 3);
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t c) {
-    while (root[c] != c) c = root[c] = root[root[c]];
-    return c;
-  };
+  Groups groups(surface.triangle.size() * 3);
   const auto corner = [&](std::uint32_t f, std::uint32_t p) {
     const auto& t = surface.triangle[f];
     return 3 * f + (t[0] == p ? 0u : t[1] == p ? 1u : 2u);
@@ -225,20 +209,13 @@ Disk cut_open(const Surface& surface, const CutPlan& plan) {
   for (std::uint32_t e = 0; e < graph.edge.size(); ++e) {
     const Edge& edge = graph.edge[e];
     if (cut[e] || edge.right == none) continue;
-    for (const std::uint32_t p : {edge.a, edge.b}) {
-      const std::uint32_t x = find(corner(edge.left, p)), y = find(corner(edge.right, p));
-      root[std::max(x, y)] = std::min(x, y);
-    }
+    for (const std::uint32_t p : {edge.a, edge.b}) groups.join(corner(edge.left, p), corner(edge.right, p));
   }
-  std::vector<std::uint32_t> number(root.size(), none);
+  const std::vector<std::uint32_t> number = groups.numbers();
   disk.triangle.resize(surface.triangle.size());
-  for (std::uint32_t c = 0; c < root.size(); ++c) {
-    const std::uint32_t first = find(c);
-    if (number[first] == none) {
-      number[first] = std::uint32_t(disk.point.size());
-      disk.point.push_back(surface.triangle[c / 3][c % 3]);
-    }
-    disk.triangle[c / 3][c % 3] = number[first];
+  for (std::uint32_t c = 0; c < number.size(); ++c) {
+    if (number[c] == disk.point.size()) disk.point.push_back(surface.triangle[c / 3][c % 3]);
+    disk.triangle[c / 3][c % 3] = number[c];
   }
   return disk;
 }

@@ -1,5 +1,8 @@
 #include "harness/mesh/finish.hpp"
 
+#include <CGAL/Min_sphere_of_points_d_traits_3.h>
+#include <CGAL/Min_sphere_of_spheres_d.h>
+#include <CGAL/Simple_cartesian.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +15,6 @@
 #include <tuple>
 
 #include "harness/hash.hpp"
-#include "harness/mesh/geometry.hpp"
 
 namespace pelage {
 namespace {
@@ -241,6 +243,17 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
     mesh.triangle.emplace_back(copy[3 * f], copy[3 * f + 1], copy[3 * f + 2]);
   mesh.hash = content_hash(mesh);
   return mesh;
+}
+
+Sphere bounding_sphere(const std::vector<glm::dvec3>& points) {
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Traits = CGAL::Min_sphere_of_points_d_traits_3<Kernel, double>;
+  std::vector<Kernel::Point_3> list;
+  list.reserve(points.size());
+  for (const glm::dvec3& p : points) list.emplace_back(p.x, p.y, p.z);
+  CGAL::Min_sphere_of_spheres_d<Traits> sphere(list.begin(), list.end());
+  const auto* centre = sphere.center_cartesian_begin();
+  return {{centre[0], centre[1], centre[2]}, sphere.radius()};
 }
 
 }  // namespace pelage

@@ -1,6 +1,8 @@
 // The last step of mesh preparation: it converts a surface with a UV map to the Mesh that the pipelines read.
 #pragma once
 #include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
 
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/surface.hpp"
@@ -27,5 +29,13 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation);
 /// Returns a hash of all data of the mesh that influence a picture: the arrays and flags, but not the name
 /// and the notes.
 std::string content_hash(const Mesh& mesh);
+
+struct Sphere {
+  glm::dvec3 centre{0};
+  double radius = 0;
+};
+
+/// Returns the smallest sphere that contains all points (CGAL's Min_sphere_of_spheres_d).
+Sphere bounding_sphere(const std::vector<glm::dvec3>& points);
 
 }  // namespace pelage

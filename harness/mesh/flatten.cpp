@@ -9,13 +9,15 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/laplace.hpp"
+#include "harness/mesh/sides.hpp"
+#include "harness/mesh/unfold.hpp"
 
 namespace pelage {
 namespace {
 
 using Columns = LaplaceSolver::Columns;
 using Triplets = std::vector<Eigen::Triplet<double>>;
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t none = no_index;
 
 // A triangle in its own plane with the corners (0, 0), (base, 0) and (x, y). weight[k] is half the cotangent
 // of the angle opposite to side k, which goes from corner k to k + 1.
@@ -55,11 +57,7 @@ std::vector<Local> locals(const Surface& surface, const Disk& disk) {
 // Returns the vertices on the border of a disk (the surface, cut open), in order along the border. Returns an
 // empty vector if the border is not a single loop.
 std::vector<std::uint32_t> border_of(const Disk& disk) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
-  sides.reserve(disk.triangle.size() * 3);
-  for (const auto& [a, b, c] : disk.triangle)
-    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) sides.emplace_back(p, q);
-  std::sort(sides.begin(), sides.end());
+  const auto sides = directed_sides(disk.triangle);
   std::vector<std::uint32_t> next(disk.point.size(), none);
   std::size_t count = 0;
   std::uint32_t first = none;
@@ -223,17 +221,6 @@ void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns&
   }
 }
 
-bool judge(FlatDisk& flat, const Disk& disk, const Columns& x) {
-  double area = 0;
-  flat.flipped = 0;
-  for (const auto& t : disk.triangle) {
-    const double twice = twice_area(x, t);
-    area += twice;
-    if (!(twice > 0)) ++flat.flipped;
-  }
-  return std::isfinite(area) && area > 0 && flat.flipped * 50 <= disk.triangle.size();
-}
-
 [[noreturn]] void fail(const std::string& name) {
   throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
 }
@@ -279,12 +266,15 @@ FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& na
     flat.rigid = solver.solve(turned_triangles(disk, start.local, x), x).has_value();
   }
   if (flat.rigid) unturn(disk, start.border, x);
-  flat.rigid = flat.rigid && judge(flat, disk, x);
-  if (!flat.rigid) {
-    x = start.circle;
-    if (!judge(flat, disk, x)) fail(name);
-  }
-  flat.uv = uv_of(x);
+  MapQuality quality;
+  const auto keep = [&](const Columns& map) {
+    flat.uv = uv_of(map);
+    quality = map_quality(flat.uv, disk.triangle);
+    return quality.usable;
+  };
+  flat.rigid = flat.rigid && keep(x);
+  if (!flat.rigid && !keep(start.circle)) fail(name);
+  flat.flipped = quality.flipped;
   return flat;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "harness/base/toml_file.hpp"
 #include "harness/data_folder.hpp"

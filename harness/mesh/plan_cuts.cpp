@@ -7,7 +7,6 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
-#include "harness/mesh/geometry.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/unfold.hpp"
 

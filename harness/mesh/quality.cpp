@@ -5,48 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <tuple>
+
+#include "harness/mesh/sides.hpp"
 
 namespace pelage {
 namespace {
-
-class Groups {
- public:
-  explicit Groups(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (root_[i] != i) i = root_[i] = root_[root_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    root_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> root_;
-};
-
-struct Side {
-  std::uint32_t low, high, face;  // low, high: indices of the side's end points, low < high
-  bool forward;  // true: `high` comes directly after `low` in the face's cyclic list of corners
-};
-
-// Returns the sides of all faces, sorted so that sides with the same end points are adjacent.
-std::vector<Side> sides_of(const std::vector<glm::uvec3>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(triangles.size() * 3);
-  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles[f][k], b = triangles[f][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f, a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
-  });
-  return sides;
-}
 
 template <class Visit>
 void for_each_edge(const std::vector<Side>& sides, Visit visit) {
@@ -154,11 +118,7 @@ std::vector<std::uint32_t> charts(const Mesh& mesh) {
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first + 1; i < last; ++i) groups.join(sides[first].face, sides[i].face);
   });
-  std::vector<std::uint32_t> number(mesh.triangle.size());
-  std::uint32_t next = 0;
-  for (std::uint32_t f = 0; f < number.size(); ++f)
-    number[f] = groups.find(f) == f ? next++ : number[groups.find(f)];
-  return number;
+  return groups.numbers();
 }
 
 std::vector<std::string> uv_warnings(const Mesh& mesh) {

@@ -11,9 +11,8 @@
 #include <optional>
 
 #include "harness/error.hpp"
-#include "harness/mesh/chart_places.hpp"
 #include "harness/mesh/flatten.hpp"
-#include "harness/mesh/uv_overlap.hpp"
+#include "harness/mesh/sides.hpp"
 #include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
@@ -54,12 +53,7 @@ Shape shape_of_faces(const Surface& surface, const Faces& faces) {
 /// Returns the triangles of a piece as a surface. Two corners are one point of it if a chain of triangles
 /// around this point, each the neighbour of the next, connects them.
 Surface separate(const Surface& surface, const Faces& faces, const Neighbours& next) {
-  std::vector<std::uint32_t> root(faces.size() * 3);
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t c) {
-    while (root[c] != c) c = root[c] = root[root[c]];
-    return c;
-  };
+  Groups groups(faces.size() * 3);
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     const auto& t = surface.triangle[faces[i]];
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -69,21 +63,17 @@ Surface separate(const Surface& surface, const Faces& faces, const Neighbours& n
       const auto& o = surface.triangle[*there];
       for (const std::uint32_t corner : {k, (k + 1) % 3}) {
         const auto same = std::uint32_t(std::find(o.begin(), o.end(), t[corner]) - o.begin());
-        const std::uint32_t x = find(3 * i + corner), y = find(3 * j + same);
-        root[std::max(x, y)] = std::min(x, y);
+        groups.join(3 * i + corner, 3 * j + same);
       }
     }
   }
   Surface piece;
-  std::vector<std::uint32_t> number(root.size(), no_face);
+  const std::vector<std::uint32_t> number = groups.numbers();
   piece.triangle.resize(faces.size());
-  for (std::uint32_t c = 0; c < root.size(); ++c) {
-    std::uint32_t& n = number[find(c)];
-    if (n == no_face) {
-      n = std::uint32_t(piece.point.size());
+  for (std::uint32_t c = 0; c < number.size(); ++c) {
+    if (number[c] == piece.point.size())
       piece.point.push_back(surface.point[surface.triangle[faces[c / 3]][c % 3]]);
-    }
-    piece.triangle[c / 3][c % 3] = n;
+    piece.triangle[c / 3][c % 3] = number[c];
   }
   return piece;
 }

@@ -1,13 +1,20 @@
 #include "harness/mesh/soup.hpp"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstring>
 #include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <tuple>
 
 #include "harness/error.hpp"
-#include "harness/mesh/gltf_files.hpp"
 
 namespace pelage {
 namespace {
@@ -26,6 +33,57 @@ bool assimp_reads(std::string_view format) {
 
 bool finite(const glm::dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+constexpr std::int64_t most_bytes = std::int64_t(1) << 30;
+
+[[noreturn]] void damaged(const std::filesystem::path& file) {
+  throw InputError(fmt::format("{}: the archive is damaged; install its package again", file.string()));
+}
+
+using Indices = std::vector<std::uint32_t>;
+using Corners = std::vector<glm::dvec2>;  // UV of the corners of a face, or empty
+
+std::tuple<double, double, double> key(const glm::dvec3& p) {
+  return {p.x, p.y, p.z};
+}
+
+/// Returns the comparison -1, 0 or 1 of the corner lists of two faces, read from the corners `a` and `b` on.
+/// The points decide; if all of them are equal, their UV decide.
+int compare(const Indices& face, const Corners& uv, std::size_t a, const Indices& other,
+            const Corners& other_uv, std::size_t b) {
+  const std::size_t n = face.size();
+  if (n != other.size()) return n < other.size() ? -1 : 1;
+  for (std::size_t k = 0; k < n; ++k)
+    if (const std::uint32_t p = face[(a + k) % n], q = other[(b + k) % n]; p != q) return p < q ? -1 : 1;
+  for (std::size_t k = 0; k < n && !uv.empty(); ++k) {
+    const glm::dvec2 p = uv[(a + k) % n], q = other_uv[(b + k) % n];
+    if (p != q) return std::tie(p.x, p.y) < std::tie(q.x, q.y) ? -1 : 1;
+  }
+  return 0;
+}
+
+Indices order_of(std::size_t count) {
+  Indices order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  return order;
+}
+
+/// Sorts the points, and returns the new number of each old point.
+Indices sort_points(std::vector<glm::dvec3>& point) {
+  Indices order = order_of(point.size()), number(point.size());
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(point[a]) < key(point[b]); });
+  std::vector<glm::dvec3> sorted;
+  sorted.reserve(point.size());
+  std::uint32_t first = 0;  // of the coincident points
+  for (const std::uint32_t i : order) {
+    if (sorted.empty() || sorted[first] != point[i]) first = std::uint32_t(sorted.size());
+    sorted.push_back(point[i] + 0.0);
+    number[i] = first;
+  }
+  point = std::move(sorted);
+  return number;
 }
 
 }  // namespace
@@ -110,4 +168,131 @@ Soup read_soup(const std::filesystem::path& file, bool with_uv) {
   return soup;
 }
 
+std::optional<std::string> read_member(const std::filesystem::path& file, const std::string& member) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(fmt::format("{}: no such file", file.string()));
+  const std::unique_ptr<archive, int (*)(archive*)> reader(archive_read_new(), archive_read_free);
+  archive_read_support_filter_gzip(reader.get());
+  archive_read_support_format_tar(reader.get());
+  if (archive_read_open_filename(reader.get(), file.c_str(), 1 << 16) != ARCHIVE_OK) damaged(file);
+  archive_entry* entry = nullptr;
+  for (;;) {
+    // After a warning (ARCHIVE_WARN) the entry is readable. libarchive warns, for instance, if the locale
+    // cannot represent the entry's name.
+    const int status = archive_read_next_header(reader.get(), &entry);
+    if (status == ARCHIVE_EOF) return {};
+    if (status < ARCHIVE_WARN) damaged(file);
+    const char* name = archive_entry_pathname(entry);
+    if (name && name == member) break;
+  }
+  const std::int64_t size = archive_entry_size(entry);
+  if (size > most_bytes) throw InputError(fmt::format("{}: {} is too large", file.string(), member));
+  // A damaged header may state a size that is far larger than the file. Therefore memory is allocated only
+  // for the bytes that were read.
+  std::string bytes, chunk(1 << 16, '\0');
+  while (std::int64_t(bytes.size()) < size) {
+    const la_ssize_t count = archive_read_data(reader.get(), chunk.data(), chunk.size());
+    if (count <= 0) damaged(file);
+    bytes.append(chunk.data(), std::size_t(count));
+  }
+  return bytes;
+}
+
+void sort_soup(Soup& soup) {
+  const Indices number = sort_points(soup.point);
+  const Corners none;
+  const auto uv_of = [&](std::size_t f) -> const Corners& { return soup.uv.empty() ? none : soup.uv[f]; };
+  for (std::size_t f = 0; f < soup.polygon.size(); ++f) {
+    Indices& face = soup.polygon[f];
+    for (std::uint32_t& i : face) i = number[i];
+    std::size_t start = 0;
+    for (std::size_t k = 1; k < face.size(); ++k)
+      if (compare(face, uv_of(f), k, face, uv_of(f), start) < 0) start = k;
+    std::rotate(face.begin(), face.begin() + std::ptrdiff_t(start), face.end());
+    if (!soup.uv.empty())
+      std::rotate(soup.uv[f].begin(), soup.uv[f].begin() + std::ptrdiff_t(start), soup.uv[f].end());
+  }
+  Indices order = order_of(soup.polygon.size());
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return compare(soup.polygon[a], uv_of(a), 0, soup.polygon[b], uv_of(b), 0) < 0;
+  });
+  Soup sorted;
+  for (const std::uint32_t f : order) {
+    sorted.polygon.push_back(std::move(soup.polygon[f]));
+    if (!soup.uv.empty()) sorted.uv.push_back(std::move(soup.uv[f]));
+  }
+  soup.polygon = std::move(sorted.polygon);
+  soup.uv = std::move(sorted.uv);
+}
+
 }  // namespace pelage
+
+namespace pelage::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the JSON text of a glTF file. A binary file (.glb) begins with a header of 12 bytes. The JSON
+/// chunk follows the header. It consists of the length of its text, its type and its text.
+std::string_view json_text(std::string_view bytes) {
+  constexpr std::size_t header = 12, chunk = 8;
+  if (!bytes.starts_with("glTF")) return bytes;
+  std::uint32_t length = 0;
+  if (bytes.size() < header + chunk) return {};
+  std::memcpy(&length, bytes.data() + header, sizeof length);
+  return bytes.substr(header + chunk, length);
+}
+
+/// Replaces each percent-encoded byte by the byte itself, for example %20 by a space.
+std::string decoded(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    unsigned code = 0;
+    if (uri[i] == '%' && i + 2 < uri.size()) {
+      const auto [end, error] = std::from_chars(&uri[i + 1], &uri[i + 3], code, 16);
+      if (error == std::errc{} && end == &uri[i + 3]) {
+        text += char(code);
+        i += 2;
+        continue;
+      }
+    }
+    text += uri[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<fs::path> gltf_files(const fs::path& file) {
+  const std::string ending = ending_of(file);
+  if (ending != "gltf" && ending != "glb") return {};
+  return gltf_files(read_bytes(file, largest_mesh_file), file);
+}
+
+std::vector<fs::path> gltf_files(std::string_view bytes, const fs::path& file) {
+  const auto json = nlohmann::json::parse(json_text(bytes), nullptr, false);
+  std::vector<fs::path> files;
+  if (!json.is_object()) return files;
+  for (const char* list : {"buffers", "images"}) {
+    if (!json.contains(list) || !json.at(list).is_array()) continue;
+    for (const auto& entry : json.at(list)) {
+      if (!entry.is_object() || !entry.contains("uri") || !entry.at("uri").is_string()) continue;
+      const std::string uri = decoded(entry.at("uri").get<std::string>());
+      if (uri.starts_with("data:")) continue;
+      const fs::path path = fs::path(uri).lexically_normal();
+      if (path.is_absolute() || path.empty() || *path.begin() == ".." || uri.find("://") != std::string::npos)
+        throw InputError(
+            fmt::format("{}: this glTF file refers to '{}'; it may refer only to files in its own folder",
+                        file.string(), uri));
+      files.push_back(file.parent_path() / path);
+      std::error_code error;
+      if (!fs::is_regular_file(files.back(), error))
+        throw InputError(
+            fmt::format("{}: this glTF file refers to '{}', which does not exist or is not a regular file",
+                        file.string(), uri));
+    }
+  }
+  return files;
+}
+
+}  // namespace pelage::detail

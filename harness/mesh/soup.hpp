@@ -1,9 +1,10 @@
-// The content of a mesh file: points and polygons without connectivity.
+// Reads mesh files: points and polygons without connectivity.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,26 @@ void check_text(std::string& bytes, std::string_view format, const std::string& 
 std::string check_ply(std::string_view bytes, const std::string& name);
 bool read_by_cgal(const std::string& bytes, std::string_view format, Soup& soup);
 Soup read_by_assimp(const std::filesystem::path& file);
+/// Returns the paths of the files to which a glTF file (.gltf or .glb) refers: first the buffers, then the
+/// pictures, each in the order in which the glTF file lists them. Data URIs are left out. The list is empty
+/// if `file` has neither the extension .gltf nor .glb, or if its text is not JSON. Assimp reports the invalid
+/// JSON later, when it reads the file. Throws InputError if a URI is absolute, leads out of the folder of
+/// `file`, or does not refer to a regular file.
+std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& file);
+/// Returns the paths to which a glTF file with the content `bytes` refers. This function does not read
+/// `file`. URIs are relative to the folder of `file`.
+std::vector<std::filesystem::path> gltf_files(std::string_view bytes, const std::filesystem::path& file);
 }  // namespace detail
+
+/// Returns the bytes of the file `member`; empty if the archive does not contain it. Throws InputError if the
+/// archive is missing or damaged, or if `member` is larger than 1 GiB.
+std::optional<std::string> read_member(const std::filesystem::path& archive, const std::string& member);
+
+/// Replaces the order of the file by one that depends only on the surface. Points are sorted by x, then y,
+/// then z. All faces refer to the first of coincident points. The corners of a face start with the first of
+/// its points and keep their direction of rotation; faces are sorted by their corners. Later steps, such as
+/// the cuts of the UV map, choose between equally good results by this order. A surface therefore has the
+/// same UV map in whatever order its file lists it. -0 becomes 0.
+void sort_soup(Soup& soup);
 
 }  // namespace pelage

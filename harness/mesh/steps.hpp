@@ -1,14 +1,57 @@
 // The steps from a polygon soup to a surface with a UV map, implemented with CGAL. Each step appends
 // descriptions of its changes to Surface::notes.
 #pragma once
+#include <fmt/format.h>
+
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "harness/mesh/soup.hpp"
-#include "harness/mesh/stages.hpp"
 #include "harness/mesh/surface.hpp"
 
 namespace pelage {
+
+/// Sends the current stage of a long preparation to a callback, with the stage's completed fraction and the
+/// seconds since the construction of the Stages object. Example: "cat.obj: computing the UV map, 40%, 12 s".
+class Stages {
+ public:
+  using Say = std::function<void(const std::string&)>;
+
+  /// No messages are sent during the first `silent_s` seconds after the construction. Messages with a
+  /// completed fraction are at least 2.5 * silent_s seconds apart.
+  Stages(Say say, std::string label, double silent_s)
+      : say_(std::move(say)), label_(std::move(label)), silent_s_(silent_s) {}
+
+  void begin(const std::string& stage) {
+    stage_ = stage;
+    const double now = seconds();
+    if (!say_ || now < silent_s_) return;
+    say_(fmt::format("{}: {}, {:.0f} s", label_, stage_, now));
+    told_ = now;
+  }
+  /// `fraction`: completed fraction of the stage, 0 to 1.
+  void part(double fraction) {
+    const double now = seconds();
+    if (!say_ || now < silent_s_ || now - told_ < 2.5 * silent_s_) return;
+    say_(fmt::format("{}: {}, {:.0f}%, {:.0f} s", label_, stage_, 100 * fraction, now));
+    told_ = now;
+  }
+  /// Returns a callback that takes the completed fraction of the stage and passes it to part().
+  std::function<void(double)> parts() {
+    return [this](double fraction) { part(fraction); };
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  Say say_;
+  std::string label_, stage_;
+  double silent_s_, told_ = 0;
+  Clock::time_point start_ = Clock::now();
+};
 
 /// Options of repair() for holes and components.
 struct RepairOptions {

@@ -7,13 +7,12 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
-#include "harness/mesh/geometry.hpp"
+#include "harness/mesh/finish.hpp"
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
@@ -102,7 +101,6 @@ Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& n
   const Disk disk = cut_open(surface, plan);
   need_cut(surface, disk, name);
   Polyhedron mesh = flat_mesh(surface, disk);
-  Surface result = surface;
   Map map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));
   map.quality = map_quality(map.uv, disk.triangle);
   std::string method = "as rigidly as possible";
@@ -112,12 +110,7 @@ Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& n
     method = "mean-value coordinates on a circle";
   }
   if (!map.quality.usable) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
-  result.notes.push_back(fmt::format(
-      "UV map: one chart, {} vertices added at seams, {} cuts to tips of limbs, method: {}, {} faces flipped",
-      disk.point.size() - surface.point.size(), plan.tips.size(), method, map.quality.flipped));
-  result.uv.clear();
-  for (const auto& [a, b, c] : disk.triangle) result.uv.push_back({map.uv[a], map.uv[b], map.uv[c]});
-  return result;
+  return with_map(surface, plan, disk, map.uv, method, map.quality.flipped);
 }
 
 }  // namespace pelage

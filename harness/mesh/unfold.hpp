@@ -57,6 +57,10 @@ Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans,
 Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
                      const Unfold& unfold);
 
+/// Returns the surface with the map of the disk's vertices. `method` and `flipped` stand in the notes.
+Surface with_map(const Surface& surface, const CutPlan& plan, const Disk& disk,
+                 const std::vector<glm::dvec2>& uv, const std::string& method, std::size_t flipped);
+
 /// Throws InputError if `disk` is a closed surface without cuts, which cannot be flattened.
 void need_cut(const Surface& surface, const Disk& disk, const std::string& name);
 

@@ -1,5 +1,7 @@
 #include "harness/mesh/uv_pieces.hpp"
 
+#include <CGAL/box_intersection_d.h>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -7,10 +9,8 @@
 #include <limits>
 #include <numbers>
 #include <queue>
-#include <tuple>
 
-#include "harness/mesh/geometry.hpp"
-#include "harness/mesh/uv_overlap.hpp"
+#include "harness/mesh/sides.hpp"
 
 namespace pelage {
 namespace {
@@ -175,31 +175,46 @@ void join(const Neighbours& next, const Faces& part, std::vector<char>& mark) {
   for (const std::uint32_t f : part) mark[f] = adjacent;
 }
 
+constexpr double least_depth = 1e-9;
+
+/// Returns true if a line along an edge of `a` separates the triangles, except for a depth below least_depth.
+bool edge_separates(const Surface::Corners& a, const Surface::Corners& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 along = a[(k + 1) % 3] - a[k];
+    const double length = glm::length(along);
+    if (!(length > 0)) return true;
+    const glm::dvec2 across = glm::dvec2(-along.y, along.x) / length;
+    const auto height = [&](const glm::dvec2& p) { return glm::dot(across, p - a[k]); };
+    const double own = height(a[(k + 2) % 3]);
+    const auto [low, high] = std::minmax({height(b[0]), height(b[1]), height(b[2])});
+    if (std::min(high, std::max(own, 0.0)) - std::max(low, std::min(own, 0.0)) < least_depth) return true;
+  }
+  return false;
+}
+
+constexpr int side = 1024;         // cells per side of the square
+constexpr int texel = side / 256;  // cells per texel of a wetness mask of 256 x 256 texels
+constexpr int margin = 2 * texel;  // from the border of the square
+constexpr int gap = 4 * texel;     // between charts
+constexpr std::size_t corners = side + 1;
+
+int cell_of(double x) {
+  return std::clamp(int(std::floor(x * side)), 0, side - 1);
+}
+
 }  // namespace
 
 Neighbours neighbours_of(const Surface& surface, bool in_uv) {
-  struct Side {
-    std::uint32_t a, b, face, edge;
-  };
-  std::vector<Side> sides;
-  sides.reserve(surface.triangle.size() * 3);
-  for (std::uint32_t f = 0; f < surface.triangle.size(); ++f)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t p = surface.triangle[f][k], q = surface.triangle[f][(k + 1) % 3];
-      sides.push_back({std::min(p, q), std::max(p, q), f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
-  });
+  const std::vector<Side> sides = sides_of(surface.triangle);
   const auto uv_at = [&](const Side& s, std::uint32_t p) {
-    return surface.uv[s.face][surface.triangle[s.face][s.edge] == p ? s.edge : (s.edge + 1) % 3];
+    return surface.uv[s.face][surface.triangle[s.face][s.corner] == p ? s.corner : (s.corner + 1) % 3];
   };
   Neighbours next(surface.triangle.size(), {no_face, no_face, no_face});
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const Side &x = sides[i], &y = sides[i + 1];
-    if (x.a != y.a || x.b != y.b) continue;
-    if (in_uv && (uv_at(x, x.a) != uv_at(y, x.a) || uv_at(x, x.b) != uv_at(y, x.b))) continue;
-    next[x.face][x.edge] = y.face, next[y.face][y.edge] = x.face;
+    if (x.low != y.low || x.high != y.high) continue;
+    if (in_uv && (uv_at(x, x.low) != uv_at(y, x.low) || uv_at(x, x.high) != uv_at(y, x.high))) continue;
+    next[x.face][x.corner] = y.face, next[y.face][y.corner] = x.face;
   }
   return next;
 }
@@ -229,6 +244,73 @@ Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
     for (const char reason : {overlaps, shrunk, enlarged}) add_groups(next, mark, reason, pieces.piece);
   }
   return pieces;
+}
+
+double twice_uv_area(const Surface::Corners& uv) {
+  const glm::dvec2 d = uv[1] - uv[0], e = uv[2] - uv[0];
+  return d.x * e.y - d.y * e.x;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> uv_overlaps(const std::vector<Surface::Corners>& uv) {
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::uint32_t>;
+  std::vector<Box> boxes;
+  boxes.reserve(uv.size());
+  for (std::uint32_t f = 0; f < uv.size(); ++f) {
+    const auto [left, right] = std::minmax({uv[f][0].x, uv[f][1].x, uv[f][2].x});
+    const auto [low, high] = std::minmax({uv[f][0].y, uv[f][1].y, uv[f][2].y});
+    double from[] = {left, low}, to[] = {right, high};
+    boxes.emplace_back(from, to, f);
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) {
+    const std::uint32_t a = std::min(x.info(), y.info()), b = std::max(x.info(), y.info());
+    if (!edge_separates(uv[a], uv[b]) && !edge_separates(uv[b], uv[a])) pairs.emplace_back(a, b);
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+FreeSpace::FreeSpace() : taken_(std::size_t(side) * side, 0), sum_(corners * corners, 0) {}
+
+void FreeSpace::take(const Surface::Corners& uv) {
+  const auto [left, right] = std::minmax({uv[0].x, uv[1].x, uv[2].x});
+  const auto [low, high] = std::minmax({uv[0].y, uv[1].y, uv[2].y});
+  for (int y = cell_of(low); y <= cell_of(high); ++y)
+    for (int x = cell_of(left); x <= cell_of(right); ++x) taken_[std::size_t(y) * side + std::size_t(x)] = 1;
+  summed_ = false;
+}
+
+void FreeSpace::sum_up() {
+  for (std::size_t y = 0; y < side; ++y) {
+    int row = 0;
+    for (std::size_t x = 0; x < side; ++x) {
+      row += taken_[y * side + x];
+      sum_[(y + 1) * corners + x + 1] = sum_[y * corners + x + 1] + row;
+    }
+  }
+  summed_ = true;
+}
+
+bool FreeSpace::is_free(int x, int y, int width, int height) const {
+  const auto at = [&](int i, int j) {
+    return sum_[std::size_t(std::clamp(j, 0, side)) * corners + std::size_t(std::clamp(i, 0, side))];
+  };
+  return at(x + width, y + height) - at(x, y + height) - at(x + width, y) + at(x, y) == 0;
+}
+
+std::optional<glm::dvec2> FreeSpace::place(glm::dvec2 size) {
+  if (!summed_) sum_up();
+  const int width = int(std::ceil(size.x * side)), height = int(std::ceil(size.y * side));
+  for (int y = margin; y + height <= side - margin; y += texel) {
+    for (int x = margin; x + width <= side - margin; x += texel) {
+      if (!is_free(x - gap, y - gap, width + 2 * gap, height + 2 * gap)) continue;
+      for (int j = y; j < y + height; ++j)
+        std::fill_n(taken_.begin() + std::ptrdiff_t(j) * side + x, width, char(1));
+      summed_ = false;
+      return glm::dvec2(x, y) / double(side);
+    }
+  }
+  return {};
 }
 
 }  // namespace pelage

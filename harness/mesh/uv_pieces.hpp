@@ -1,7 +1,11 @@
-// Divides a UV map that overlaps itself into parts that do not overlap.
+// Finds the triangles that overlap in a UV map, and divides the map into parts that do not overlap.
+// Finds places for charts in its free space.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "harness/mesh/surface.hpp"
@@ -41,5 +45,33 @@ struct PieceRules {
 /// map has neither overlaps nor flipped triangles nor triangles beyond the limit of stretch, there are no
 /// pieces.
 Pieces choose_pieces(const Surface& surface, const PieceRules& rules);
+
+/// Returns twice the signed area of a triangle in UV. It is negative if the triangle is flipped (clockwise).
+double twice_uv_area(const Surface::Corners& uv);
+
+/// Returns the pairs (a, b), a < b, of triangles that overlap in UV, in ascending order. `uv` contains the
+/// corners of each triangle. Two triangles overlap if no translation by less than 1e-9 separates them, so
+/// triangles that only touch at an edge or a corner do not overlap.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> uv_overlaps(const std::vector<Surface::Corners>& uv);
+
+/// The free space of the UV square. Charts keep a distance of 2/256 of the square's side from its border, and
+/// an added chart keeps a distance of 4/256 from other charts, as the charts of packed() do (components.hpp).
+class FreeSpace {
+ public:
+  FreeSpace();
+  /// Marks the space that a triangle takes.
+  void take(const Surface::Corners& uv);
+  /// Finds a place for the bounding box of a chart, marks its space as taken, and returns its lower corner.
+  /// Returns nothing if there is no place. `size` is the size of the box in UV.
+  std::optional<glm::dvec2> place(glm::dvec2 size);
+
+ private:
+  void sum_up();
+  bool is_free(int x, int y, int width, int height) const;
+
+  std::vector<char> taken_;
+  std::vector<int> sum_;  ///< number of taken cells below and to the left of each corner of a cell
+  bool summed_ = false;
+};
 
 }  // namespace pelage

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "harness/picture/image_io.hpp"
-#include "harness/picture/reduce.hpp"
 #include "harness/report/case_table.hpp"
 
 namespace pelage {

@@ -75,27 +75,12 @@ Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
   return *this;
 }
 
-void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
-                     std::span<const float> values, const std::string& units,
-                     const std::string& description) {
-  write_raw(name, shape, H5T_NATIVE_FLOAT, values.data(), values.size(), units, description);
-}
-
-void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
-                     std::span<const std::uint32_t> values, const std::string& units,
-                     const std::string& description) {
-  write_raw(name, shape, H5T_NATIVE_UINT32, values.data(), values.size(), units, description);
-}
-
-void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
-                     std::span<const std::uint8_t> values, const std::string& units,
-                     const std::string& description) {
-  write_raw(name, shape, H5T_NATIVE_UINT8, values.data(), values.size(), units, description);
-}
-
-void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>& shape, std::int64_t type,
-                         const void* values, std::size_t count, const std::string& units,
-                         const std::string& description) {
+template <class Scalar>
+void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>& shape, const Scalar* values,
+                         std::size_t count, const std::string& units, const std::string& description) {
+  const hid_t type = std::is_same_v<Scalar, float>           ? H5T_NATIVE_FLOAT
+                     : std::is_same_v<Scalar, std::uint32_t> ? H5T_NATIVE_UINT32
+                                                             : H5T_NATIVE_UINT8;
   const std::string what = fmt::format("{}: dataset {}", name_, name);
   if (std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) != count) {
     throw InputError(fmt::format("{}: the shape does not match the number of values, {}", what, count));
@@ -127,6 +112,12 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
   write_text(dataset, "units", units);
   write_text(dataset, "description", description);
 }
+template void Hdf5File::write_raw(const std::string&, const std::vector<std::size_t>&, const float*,
+                                  std::size_t, const std::string&, const std::string&);
+template void Hdf5File::write_raw(const std::string&, const std::vector<std::size_t>&, const std::uint32_t*,
+                                  std::size_t, const std::string&, const std::string&);
+template void Hdf5File::write_raw(const std::string&, const std::vector<std::size_t>&, const std::uint8_t*,
+                                  std::size_t, const std::string&, const std::string&);
 
 void Hdf5File::note(const std::string& name, const std::string& text) {
   write_text(file_, name, text);

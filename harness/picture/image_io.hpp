@@ -1,5 +1,5 @@
-// Picture files. libpng writes PNG. OpenImageIO, which is loaded on demand, reads all formats and writes all
-// formats except PNG.
+// Picture files. libpng writes PNG, so that `pelage render` need not load OpenImageIO for a PNG file.
+// OpenImageIO, which is loaded on demand, reads all formats and writes all formats except PNG.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -33,5 +33,10 @@ Picture read_picture(const std::filesystem::path& path);
 /// values of the picture to [0, 1] and rounds them to 8 bits. `quality` is 1 to 100. Throws InputError if the
 /// picture cannot be compressed.
 std::string webp_of(const Picture& picture, int quality);
+
+/// Returns a smaller copy of the picture with `most_width` columns and the same proportions. Each reduced
+/// pixel is the mean of the original pixels that it covers, computed from gamma-encoded values. Alpha is
+/// averaged, too. If the picture has at most `most_width` columns, returns it unchanged.
+Picture reduced(const Picture& picture, int most_width);
 
 }  // namespace pelage

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "harness/error.hpp"
-#include "harness/prepare/noise.hpp"
 #include "harness/prepare/picture_map.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/surface_map.hpp"

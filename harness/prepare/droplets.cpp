@@ -5,19 +5,50 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "harness/error.hpp"
 #include "harness/mesh/search.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/picture/text_mask.hpp"
-#include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/seams.hpp"
-#include "harness/prepare/uv_scale.hpp"
 #include "harness/prepare/water.hpp"
 
 namespace pelage {
 namespace {
+
+/// The local scale of the UV map.
+class UvScale {
+ public:
+  explicit UvScale(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
+    std::vector<double> area(mesh_->position.size(), 0.0), uv_area(area);
+    for (const glm::uvec3& t : mesh_->triangle) {
+      const glm::dvec3 a(mesh_->position[t.x]), b(mesh_->position[t.y]), c(mesh_->position[t.z]);
+      const glm::dvec2 o(mesh_->uv[t.x]), d = glm::dvec2(mesh_->uv[t.y]) - o,
+                                          e = glm::dvec2(mesh_->uv[t.z]) - o;
+      for (int k = 0; k < 3; ++k) {
+        area[t[k]] += glm::length(glm::cross(b - a, c - a));
+        uv_area[t[k]] += std::abs(d.x * e.y - d.y * e.x);
+      }
+    }
+    const double mean = std::sqrt(double(mesh_->length_per_uv.x) * double(mesh_->length_per_uv.y));
+    for (std::size_t i = 0; i < area.size(); ++i)
+      length_.push_back(area[i] > 0 && uv_area[i] > 0 ? std::sqrt(area[i] / uv_area[i]) : mean);
+  }
+
+  /// Returns the scale at a point of a triangle: the length on the surface, in R, per unit of UV. `weight`
+  /// are the point's barycentric coordinates. At a vertex, the scale is sqrt(surface area / UV area) of the
+  /// triangles around it. Between the vertices, it is interpolated linearly.
+  double at(std::size_t face, glm::dvec3 weight) const {
+    const glm::uvec3 t = mesh_->triangle[face];
+    return weight.x * length_[t.x] + weight.y * length_[t.y] + weight.z * length_[t.z];
+  }
+
+ private:
+  std::shared_ptr<const Mesh> mesh_;
+  std::vector<double> length_;  ///< at each vertex of the mesh
+};
 
 /// A point of the surface: its position in space (R) and in UV, its triangle, and its barycentric
 /// coordinates.

@@ -1,5 +1,4 @@
-// The droplets of the wetness mask. S and W are the papers that docs/shells.md lists. Their Algorithm 1
-// (S 3.3, W 3.1) draws the droplets into the mask.
+// The droplets of the wetness mask. Algorithm 1 (S 3.3, W 3.1) draws them into the mask.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"
@@ -13,7 +12,7 @@ namespace pelage {
 /// permits random droplets, or too close to the centre of an earlier random droplet. In UV, the least
 /// distance between two centres is `spacing` times the radius of the later droplet. In space, their least
 /// distance is this UV distance times the smaller component of mesh.length_per_uv. With wetness.unit
-/// "surface", radii in UV are those in R, divided by the local length per unit of UV (uv_scale.hpp). With
+/// "surface", radii in UV are those in R, divided by the local length per unit of UV. With
 /// wetness.seams "joined", each droplet is followed by its repetitions across UV seams (seams.hpp). Droplets
 /// that never arrive (water.hpp) are left out.
 std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, const Skin& skin,

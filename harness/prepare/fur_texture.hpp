@@ -1,7 +1,11 @@
-// Generates the fur volume texture: hairs intersected with N parallel planes (section 3.1 of Silva et al.
-// 2010, Curling and Clumping Fur; see docs/shells.md).
+// Generates the fur volume texture: hairs intersected with N parallel planes (section 3.1 of S; see
+// docs/shells.md).
 #pragma once
+#include <glm/vec2.hpp>
+#include <vector>
+
 #include "harness/prepare/frame_input.hpp"
+#include "harness/scene/scene.hpp"
 
 namespace pelage {
 
@@ -20,5 +24,40 @@ FurTexture make_fur_texture(const FurScene& fur);
 /// Returns the exponent p by which a coverage c from the texture is corrected after the lookup: it becomes
 /// 1 - (1-c)^p. p is 1 if the texels are corrected.
 double coverage_power(const FurScene& fur);
+
+/// One hair of the square texture, which repeats over the surface. Lengths in the texture's plane are
+/// fractions of the square's side. L0 is the length of the fur.
+struct FurStrand {
+  glm::dvec2 root{0};       ///< position of the root in the square, in [0,1)^2
+  glm::dvec2 pull{0};       ///< displacement of the hair at height L0, towards the centre of its lock
+  glm::dvec2 bend{0};       ///< sideways displacement of the tip of a bent hair
+  double steep = 2.5;       ///< exponent c of the bend, see FurScene::bend_exponent
+  double length = 1;        ///< length of the hair, as a fraction of L0
+  double radius = 0;        ///< radius of the hair at its root
+  double width = 1;         ///< ratio of the cross-section's size along `across` to its size along the bend
+  glm::dvec2 across{0, 1};  ///< unit vector perpendicular to the bend
+  double shade = 1;         ///< factor of the coat's colour
+};
+
+/// Returns all hairs, guard hairs first, then the undercoat. The texture's square is divided into cells, and
+/// each cell has one root at a random position (jittered_points()).
+std::vector<FurStrand> grow_strands(const FurScene& fur);
+
+/// Returns the centre of the strand's cross-section at the height h * L0. L0 is the length of the fur, and h
+/// is 0..1. The centre may lie outside the unit square.
+glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h);
+
+/// Returns the radius with which the texture shows the strand at the height h * L0, h <= length. Let r be the
+/// radius of the hair at this height. It decreases from the root to the tip, where it is fur.tip_radius times
+/// the radius at the root. The function returns the radius of a larger disc. The area of the disc is
+/// pi r^2 + 2 r * spacing * fur.sweep, where `spacing` is the distance between two neighbouring slices. A
+/// segment of the strand between two slices casts a shadow of this area on a slice, if the light rays are at
+/// the angle arctan(fur.sweep) to the strand. If the discs had the radius r and the layers were few, view
+/// rays would pass between the discs of a strand. The fur would then look thinner and darker.
+double strand_radius(const FurStrand& strand, const FurScene& fur, double h);
+
+/// Returns `count` points that are evenly distributed over [0,1)^2. The square is divided into rows of cells,
+/// with nearly the same number of cells in each row. Each cell has one point at a random position.
+std::vector<glm::dvec2> jittered_points(int count, std::uint32_t seed, std::uint32_t stream);
 
 }  // namespace pelage

@@ -6,8 +6,8 @@
 
 #include "harness/error.hpp"
 #include "harness/prepare/camera.hpp"
-#include "harness/prepare/contact.hpp"
 #include "harness/prepare/droplets.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/prepare/skin.hpp"
 #include "harness/prepare/strands.hpp"
 #include "harness/prepare/style.hpp"

@@ -2,6 +2,7 @@
 // of the number, and the channel.
 #pragma once
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 namespace pelage {
 
@@ -34,5 +35,15 @@ class Random {
   }
   std::uint64_t key_;
 };
+
+/// Returns value noise in [-1, 1] with continuous second derivatives. Its features have a size of about one
+/// unit.
+double noise(glm::dvec3 p, std::uint32_t seed);
+
+/// Returns a sum of three octaves of noise(), in [-1, 1].
+double fractal_noise(glm::dvec3 p, std::uint32_t seed);
+
+/// Returns a vector of three independent values of noise().
+glm::dvec3 noise3(glm::dvec3 p, std::uint32_t seed);
 
 }  // namespace pelage

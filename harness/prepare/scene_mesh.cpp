@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "harness/distance/field.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/mesh/frames.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
+
 glm::vec3 rotation_of(const MeshScene& mesh) {
   // If z is the model's upward axis, a rotation by -90 degrees about x turns z to y. The first rotation of
   // mesh.rotate is also about x, so the two angles are added. If the sum would leave the range from -360 to
@@ -47,6 +49,21 @@ std::shared_ptr<const Mesh> SceneMeshes::of(const Scene& scene,
       kept_[{scene.model, scene.fur.uv, scene.mesh.components, scene.mesh.frames, turn.x, turn.y, turn.z}];
   if (!mesh) mesh = load_scene_mesh(scene, progress);
   return mesh;
+}
+
+std::shared_ptr<const DistanceField> contact_field(const ContactMeshScene& mesh) {
+  if (mesh.file.empty()) return {};
+  std::shared_ptr<const Mesh> loaded;
+  try {
+    loaded = load_model(mesh.file.string());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("contact.mesh: {}", error.what()));
+  }
+  if (!is_closed(*loaded))
+    throw InputError(
+        fmt::format("contact.mesh: {}: the mesh is not closed, so it has no inside; give a closed mesh",
+                    mesh.file.string()));
+  return kept_distance_field(loaded, mesh.cells);
 }
 
 }  // namespace pelage

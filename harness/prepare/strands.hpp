@@ -1,6 +1,5 @@
 // Computes the strands that move the fur. A strand has a root, a rest position, and one mass on a spring.
-// Weights give the influence of the strands on each surface point. S is Silva et al. 2010, Curling and
-// Clumping Fur (docs/shells.md).
+// Weights give the influence of the strands on each surface point.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

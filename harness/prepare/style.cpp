@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/prepare/luma_map.hpp"
+#include "harness/prepare/picture_map.hpp"
 
 namespace pelage {
 namespace {

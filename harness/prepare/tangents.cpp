@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "harness/prepare/noise.hpp"
+#include "harness/prepare/random.hpp"
 
 namespace pelage {
 namespace {

@@ -1,5 +1,5 @@
 // Tangent vectors of the surface: the derivatives of the position with respect to UV, and the tangent frame
-// of the curl. S is Silva et al. 2010, Curling and Clumping Fur (docs/shells.md).
+// of the curl.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

@@ -4,7 +4,7 @@
 
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
-#include "harness/isolated/run_program.hpp"
+#include "harness/isolated/isolated.hpp"
 
 namespace pelage {
 

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "harness/error.hpp"
-#include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -36,16 +35,11 @@ KeyValue value_at(const std::vector<Keyframe>& frames, double seconds) {
   return between(last.value, next->value, (seconds - last.time) / (next->time - last.time));
 }
 
-const Key* find(const std::vector<Key>& keys, const std::string& name) {
-  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
-  return key == keys.end() ? nullptr : &*key;
-}
-
 void check_track(const KeyTrack& track, const std::vector<Key>& keys, const std::string& source) {
   const auto refuse = [&](const std::string& what) {
     throw InputError(fmt::format("{}: keyframes.\"{}\": {}", source, track.key, what));
   };
-  const Key* key = find(keys, track.key);
+  const Key* key = find_key(keys, track.key);
   if (!key) refuse("no such key; `pelage scene` prints all keys");
   if (!may_have_keyframes(*key)) refuse("this key cannot change over time");
   if (track.frames.empty() || track.frames.size() > most_keyframes)
@@ -71,7 +65,7 @@ Scene scene_at(const Scene& scene, double seconds) {
   if (scene.keyframes.tracks.empty()) return result;
   const std::vector<Key> keys = scene_keys(result);
   for (const KeyTrack& track : scene.keyframes.tracks) {
-    const Key* key = find(keys, track.key);
+    const Key* key = find_key(keys, track.key);
     if (!key || track.frames.empty())
       throw InputError(fmt::format("keyframes.\"{}\": no such key, or no keyframe", track.key));
     set_key(*key, value_at(track.frames, seconds));
@@ -131,6 +125,22 @@ void check_keyframes(const Scene& scene, const std::string& source) {
       throw InputError(fmt::format("{}: {}", source, error.what()));
     }
   }
+}
+
+Scene picture_scene(const Scene& scene, float seconds) {
+  Scene at = scene;
+  std::erase_if(at.keyframes.tracks, [](const KeyTrack& track) { return track.key == "dynamics.time"; });
+  at.dynamics.time = seconds;
+  return scene_at(at, double(seconds));
+}
+
+bool equal_except(const Scene& a, const Scene& b, const std::function<bool(std::string_view)>& may_differ) {
+  Scene from = a, to = b;
+  const std::vector<Key> values = scene_keys(from), changed = scene_keys(to);
+  for (std::size_t i = 0; i < changed.size(); ++i)
+    if (may_differ(changed[i].name)) set_key(changed[i], key_value(values[i]));
+  // The texts of two scenes are equal only if all values have the same bits. With ==, 0 equals -0.
+  return write_scene(from) == write_scene(to);
 }
 
 }  // namespace pelage

@@ -1,9 +1,11 @@
-// Scene keys that change over time.
+// Scene keys that change over time, and the scenes of single pictures.
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -59,5 +61,14 @@ void set_key(const Key& key, const KeyValue& value);
 /// Throws InputError if a track is not valid, or if the scene is not valid at the time of a keyframe. Error
 /// texts begin with `source`.
 void check_keyframes(const Scene& scene, const std::string& source);
+
+/// Returns the scene that `pelage render --set dynamics.time=SECONDS` draws: every key has its value at the
+/// time `seconds`, dynamics.time is `seconds`, and there are no keyframes. Keyframes of dynamics.time have no
+/// effect. Throws InputError like scene_at().
+Scene picture_scene(const Scene& scene, float seconds);
+
+/// True if all keys and lists of the two scenes have the same values, bit for bit. Keys for which
+/// `may_differ` returns true are not compared. Both scenes must have no keyframes.
+bool equal_except(const Scene& a, const Scene& b, const std::function<bool(std::string_view)>& may_differ);
 
 }  // namespace pelage

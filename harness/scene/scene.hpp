@@ -1,8 +1,7 @@
-// The scene: all parameters of a picture or a timing, each with a default. The unit R of lengths is the
-// radius of the mesh's bounding sphere. L0 is the length of a strand (FurScene::length). In the comments, S
-// is "Curling and Clumping Fur Represented by Texture Layers", W is "Real-Time Rendering of Wet Fur" (both
-// Silva et al. 2010), and B is Banisch and Wuethrich 2006 (docs/shells.md). scene_toml.hpp declares the
-// functions that read, check and write scenes.
+// The scene: all parameters of a picture or a timing, each with a default. The help texts of the keys in
+// scene_keys.cpp say what a value means, its unit and its range; the comments here say only what they do not.
+// scene_toml.hpp declares the functions that read, check and write scenes; docs/glossary.md names the papers
+// S, W and B and the unit R.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/scene/contact_scene.hpp"
 #include "harness/scene/keyframes.hpp"
 #include "harness/scene/spring_kinds.hpp"
 #include "harness/scene/strands_scene.hpp"
@@ -33,58 +31,35 @@ struct FurScene {
   int undercoat = 4000;  ///< number of undercoat hairs in one slice
   float undercoat_length = 0.45f;  ///< greatest length of an undercoat hair, fraction of L0
   float least_length = 0.6f;       ///< length of the shortest guard hair, fraction of L0
-  /// Exponent of the taper of a hair. At the fraction t of the hair's length, the radius of the hair is the
-  /// radius at its root times 1 - (1 - tip_radius) * t^taper. `sweep` additionally widens the hair.
   float taper = 1.6f;
   float tip_radius = 0.15f;  ///< radius of a hair at its tip, as a fraction of its radius at the root
   int locks = 700;           ///< number of locks of hair per slice; 0: no locks
-  /// A strand is displaced towards the centre of its lock of hair. At the height h (fraction of L0), the
-  /// displacement of the strand is lock_pull * h^lock_power times the distance between the strand's root and
-  /// the centre of the lock. lock_pull is 0..1.
   float lock_pull = 0.45f;
   float lock_power = 1.0f;
   float bend = 0.0f;  ///< sideways offset of the tip of a blade of grass, in texels of a 256 x 256 slice
-  /// Exponent c of the bend of a blade. At the fraction t of the blade's length, the sideways offset is
-  /// `bend` * (e^(c t) - 1) / (e^c - 1). A larger c moves the bend towards the tip.
   float bend_exponent = 2.5f;
   float bend_spread = 0.0f;  ///< greatest random deviation of a blade's c, as a fraction of `bend_exponent`
-  /// Tangent of an angle between a view ray and a strand. strand_radius() widens the strands so much that
-  /// view rays at this angle see no gaps between the slices. 0: no widening.
   float sweep = 0.18f;
   float shade = 0.28f;  ///< greatest deviation from 1 of a hair's shade, a random factor of its colour
   float comb = 0.6f;    ///< tangent of the angle by which strands tilt at rest; 0: upright
-  /// Size of a random tilt of the strands at rest, as the tangent of an angle. This tilt is added to the tilt
-  /// by `comb` and varies smoothly over the surface.
   float comb_noise = 0.0f;
   glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< combing direction, projected onto the surface
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
   float density = 1.0f;    ///< factor of the fur's coverage, 0..1
-  /// Where the coverage is corrected for the number of layers: "texel" (before it is stored and filtered) |
-  /// "fragment" (after the lookup).
   std::string layer_correction = "texel";
-  /// Maps of the fur's shape (docs/shells.md, section 8): pictures in UV space whose luma multiplies
-  /// `length`, `density` and `comb` at each point of the surface. Empty: a map that is 1 everywhere.
   std::filesystem::path length_map, density_map, comb_map;
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< spacing of the layers at rest: "paper" (as in S) | "uniform"
-  /// Strands that displace a corner of a triangle: "shared" (the strands of all triangles around the corner)
-  /// | "separate" (the triangle's own strand).
   std::string binding = "shared";
-  /// The mesh's UV map: "computed" | "even" (as "computed", but a part of the surface whose scale in UV
-  /// differs much from the mean is a separate chart) | "file".
   std::string uv = "computed";
 };
 
 struct CurlScene {
   float radius = 0.0f;  ///< K_alpha, R
   float turns = 0.0f;   ///< number of turns of the curl from root to tip; omega / (2 pi) in S Eq. 4
-  /// Greatest random shift of a curl's phase, in turns. The shift varies smoothly over the surface. Used only
-  /// if `frame` is "smooth".
   float variation = 0.0f;
   std::string frame = "smooth";  ///< tangent frame of the curl: "smooth" | "uv" (gradient of the UV map)
-  /// Pictures in UV space whose luma multiplies `radius` and `turns` (docs/shells.md, section 8). Empty: no
-  /// map.
   std::filesystem::path radius_map, turns_map;
 };
 
@@ -106,24 +81,14 @@ struct WetnessScene {
   std::uint32_t seed = 1;
   float radius = 0.012f;       ///< mean radius of random droplets, in the unit `unit`
   float radius_spread = 0.3f;  ///< greatest random deviation from `radius`, as a fraction of `radius`
-  /// Unit of the droplets' radii: "uv" (UV units) | "surface" (R; a disc's area on the surface is then pi
-  /// radius^2, whatever the scale of the UV map at its centre).
   std::string unit = "uv";
   float wetness = 0.9f;         ///< mean wetness of random droplets
   float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
   float spacing = 1.0f;         ///< least distance between random droplet centres, in radii of the later one
   float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may be placed
-  /// Approximate width, in R, of the areas on which random droplets may be placed. The wetness of the
-  /// droplets decreases to 0 towards the border of an area.
   float patch_size = 0.6f;
-  /// A droplet is blended with some wet texels of its disc: "near" (those whose clump's centre is not
-  /// further from the droplet's centre than the droplet's radius) | "overlap" (all).
   std::string blend = "overlap";
-  /// Droplets at a UV seam: "cut" (the disc ends there) | "joined" (the droplet is repeated on the other
-  /// side).
   std::string seams = "joined";
-  /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:
-  /// everywhere.
   std::filesystem::path image;
   // The water over time (docs/shells.md, section 10). With the defaults, the water does not change.
   float rate = 0.0f;    ///< random droplets that arrive per second; 0: all of them arrive at `begin`
@@ -132,8 +97,6 @@ struct WetnessScene {
   float soak = 0.0f;    ///< time in which a droplet soaks into the fur, s; 0: at once
   float drying = 0.0f;  ///< time constant of evaporation, s; 0: no evaporation
   float drip = 0.0f;    ///< wetness that a droplet loses per second because water drips off, 1/s
-  /// Random droplets are placed only in the letters of this text, which is painted into UV space; empty:
-  /// everywhere. Printable ASCII characters, at least one of them visible.
   std::string text;
   float text_u = 0.5f;              ///< u of the centre of the text
   float text_v = 0.5f;              ///< v of the centre of the text
@@ -146,14 +109,9 @@ inline constexpr std::array clump_borders{"separate", "literal", "consistent"};
 inline constexpr std::array tangent_readings{"paper", "drawn", "strand", "printed"};
 
 struct ClumpScene {
-  /// w of S Eq. 5. With the height, the displacement of the fur by a clump grows linearly if w is 0 and
-  /// logarithmically if w is 1.
   float shape = 0.0f;
   float gain = 3.5f;
-  /// Reading of S Eq. 5, one of clump_scales: factor of the displacement by a clump "relative" (`gain`) or
-  /// "literal" (r_mask of S) | "distance" (r_mask is the distance by which the tip of a fully wet strand
-  /// moves) | "converge" (all strands of a clump lean by the same share of their distance from its centre).
-  std::string scale = "converge";
+  std::string scale = "converge";    ///< one of clump_scales
   std::string cells = "consistent";  ///< rule for fragments at a clump's border, one of clump_borders
 };
 
@@ -169,13 +127,8 @@ inline constexpr std::array blend_orders{"layer", "depth"};
 
 /// Which triangles of the layers are drawn, and in which order.
 struct BlendScene {
-  /// One of face_orders. A triangle faces away from the eye if its base does. "all": all triangles of a
-  /// layer, in the mesh's order | "front": only those that face the eye | "back-then-front": all layers of
-  /// the triangles that face away, then all layers of those that face the eye.
-  std::string faces = "back-then-front";
-  /// One of blend_orders: order in which the fragments of a pixel are blended. "layer": by layers, in the
-  /// order of `faces` | "depth": from the farthest fragment to the nearest; slower.
-  std::string order = "layer";
+  std::string faces = "back-then-front";  ///< one of face_orders; a triangle faces as its base does
+  std::string order = "layer";            ///< one of blend_orders
 };
 
 inline bool by_depth(const BlendScene& blend) {
@@ -188,9 +141,6 @@ struct WindScene {
   float gust = 0.0f;        ///< amplitude of the gusts, as a fraction of `strength`
   float frequency = 1.0f;   ///< frequency of the gusts in Hz
   float wavelength = 2.0f;  ///< distance between gusts along the wind's direction, R
-  /// Position at which the gusts on a stick are computed: "stick" (base of the stick) | "triangle" (centroid
-  /// of the stick's triangle). Only the separable topologies, whose triangles share no sticks, use this
-  /// value.
   std::string gust_at = "stick";
 };
 
@@ -202,12 +152,7 @@ struct SpringsScene {
   float edge_damping = 0.004f;  ///< damping coefficient of the springs between top masses in N s/m
   float return_weight = 0.2f;   ///< w of B Eq. 5, N
   float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate-gradient solver stops
-  /// Derivatives of the forces in the matrix of backward Euler: "full" (all terms) | "pruned" (without the
-  /// terms that docs/springs.md names in its section Solvers).
   std::string jacobian = "pruned";
-  /// Reference area per stick, in R^2. If it is above 0, the mass, stiffness, damping, drag and return weight
-  /// of a stick are multiplied by A / reference_area, where A is the mesh's mean surface area per stick. If
-  /// it is 0, these constants are the same on every mesh.
   float reference_area = 0;
 };
 
@@ -229,30 +174,18 @@ struct MotionScene {
 /// on the intersected triangle.
 struct PokeScene {
   glm::vec3 point{0.0f};  ///< centre of the force, or origin of the ray, in R
-  /// Direction of a ray from `point`. The centre of the force is the first intersection of this ray with the
-  /// mesh. If `ray` is zero, the centre of the force is `point`.
   glm::vec3 ray{0.0f};
-  /// The force acts on the triangles whose centroid is at most this distance from the centre of the force, in
-  /// R. If the radius is 0, the force acts only on the triangle that the ray hits, or on no triangle if `ray`
-  /// is zero.
   float radius = 0.0f;
   glm::vec3 force{0.0f};  ///< force on each top mass in newtons
-  /// Additional force on each top mass in newtons, directed away from an axis through the centre of the
-  /// force. `along` is the direction of this axis.
   float spread = 0.0f;
   glm::vec3 along{0.0f, 0.0f, 1.0f};
 };
 
 struct DynamicsScene {
-  /// Model of the fur's motion: "silva", "chains" (only for the pipelines that draw strands) or the name of a
-  /// mass-spring topology. The pipelines that draw strands always simulate chains.
-  std::string topology = "silva";
-  /// Time integration scheme. The topology "silva" supports only the default scheme.
+  std::string topology = "silva";  ///< "silva", "chains" or the name of a springs::Kind
   std::string solver{springs::default_solver.name};
-  /// How a stick of a mass-spring topology displaces the layers. "linear": the layers lie along the straight
-  /// stick. "paper": the layers lie on the curve of B Eq. 4. A layer at the height h (fraction of L0) has the
-  /// position L0 (h n + h^k (s - n)) relative to the stick's base, where s is the direction of the stick and
-  /// n is the surface normal. "tangent": as "paper", but without the component of s - n along n.
+  /// B Eq. 4: a layer at the height h (fraction of L0) lies at L0 (h n + h^k (s - n)) from the stick's base,
+  /// where s is the direction of the stick and n is the surface normal.
   std::string bend = "paper";
   float bend_power = 2.0f;     ///< k of B Eq. 4
   float mass = 0.001f;         ///< mass at the tip of a strand or stick in kg
@@ -260,10 +193,6 @@ struct DynamicsScene {
   float drag = 0.01f;          ///< c, the drag coefficient of a mass in N s/m
   float step = 1.0f / 240.0f;  ///< dt, duration of a substep in seconds
   int substeps = 4;            ///< number of substeps per frame
-  /// Error tolerance per frame, as a fraction of the fur's length. If the tolerance is above 0, pelage
-  /// chooses the number of substeps so that at most 1% of the top masses (the upper ends of the sticks) have
-  /// an estimated position error above the tolerance. If the tolerance is 0, every frame has `substeps`
-  /// substeps.
   float tolerance = 0.0f;
   float time = 0.0f;                    ///< simulated time before the first picture, in seconds
   glm::vec3 gravity{0.0f, 0.0f, 0.0f};  ///< R/s^2
@@ -297,6 +226,53 @@ inline double picture_time(const DynamicsScene& dynamics, int frames) {
   return frames > 1 ? static_cast<double>(frames - 1) * frame : 0.0;
 }
 
+// Colliders: bodies that push the layers of the fur down (docs/shells.md, section 9).
+
+inline constexpr float longest_contact = 3600.0f;  ///< greatest time of a collider, s
+
+/// The motion of a collider: it exists from `begin` to `end` and moves with a constant velocity. Its
+/// positions in the scene are those at the time `begin`.
+struct ContactMotion {
+  glm::vec3 velocity{0.0f};     ///< R/s
+  float begin = 0.0f;           ///< s
+  float end = longest_contact;  ///< s
+};
+
+struct ContactSphereScene {
+  glm::vec3 centre{0.0f, 1.2f, 0.0f};  ///< R
+  float radius = 0.25f;                ///< R
+  ContactMotion motion;
+};
+
+/// The points whose distance from the line segment from `from` to `to` is at most `radius`.
+struct ContactCapsuleScene {
+  glm::vec3 from{-0.5f, 1.2f, 0.0f}, to{0.5f, 1.2f, 0.0f};  ///< R
+  float radius = 0.15f;                                     ///< R
+  ContactMotion motion;
+};
+
+/// A closed mesh, scaled to a bounding sphere of radius 1 around the origin, then by `scale`, and moved to
+/// `position`. Its surface is approximated by a signed distance field.
+struct ContactMeshScene {
+  std::filesystem::path file;            ///< mesh file; empty: none
+  glm::vec3 position{0.0f, 1.2f, 0.0f};  ///< R
+  float scale = 0.3f;                    ///< radius of the mesh's bounding sphere, R
+  int cells = 48;                        ///< number of cells of the field along the longest side of the mesh
+  ContactMotion motion;
+};
+
+inline constexpr int most_colliders = 8;  ///< greatest number of spheres and capsules together
+
+struct ContactScene {
+  std::vector<ContactSphereScene> spheres;
+  std::vector<ContactCapsuleScene> capsules;
+  ContactMeshScene mesh;
+};
+
+inline bool has_contact(const ContactScene& contact) {
+  return !contact.spheres.empty() || !contact.capsules.empty() || !contact.mesh.file.empty();
+}
+
 struct LightScene {
   glm::vec3 direction{0.25f, 1.0f, -0.4f};  ///< towards the light
   float intensity = 1.5f;
@@ -308,15 +284,12 @@ struct ShadingScene {
   glm::vec3 specular{0.2f};       ///< K_s, the colour of the highlight
   float exponent = 24.0f;         ///< p, the exponent of the highlight
   float ambient = 0.2f;
-  float wrap = 0.75f;         ///< weight of the wrapped light (n.l + 0.4) / 1.4; 0: light as in S and W
-  float occlusion = 0.85f;    ///< sigma_occ of W Eq. 5, the strength of the self-shadow
-  float darkening = 0.3f;     ///< sigma_wet of W Eq. 5, the darkening by wetness
-  float wet_specular = 0.5f;  ///< sigma_spec of W Eq. 3, the influence of wetness on the highlight, < 1
-  /// Reading of W Eq. 4, one of tangent_readings: "paper" (the printed sign, in R) | "drawn" (the opposite
-  /// sign, so that the tangent tilts in the same direction as the drawn strands) | "strand" (the direction of
-  /// the strand as drawn) | "printed" (the printed sign and the printed units).
-  std::string tangent = "strand";
-  std::string sides = "one";  ///< sides of the surface that receive light: "one" (outside) | "two"
+  float wrap = 0.75f;              ///< weight of the wrapped light (n.l + 0.4) / 1.4; 0: light as in S and W
+  float occlusion = 0.85f;         ///< sigma_occ of W Eq. 5, the strength of the self-shadow
+  float darkening = 0.3f;          ///< sigma_wet of W Eq. 5, the darkening by wetness
+  float wet_specular = 0.5f;       ///< sigma_spec of W Eq. 3, the influence of wetness on the highlight, < 1
+  std::string tangent = "strand";  ///< one of tangent_readings
+  std::string sides = "one";       ///< sides of the surface that receive light: "one" (outside) | "two"
   std::vector<LightScene> lights{LightScene{}, LightScene{{0.35f, 0.3f, 0.9f}, 0.6f}};  ///< one or two lights
 };
 
@@ -332,9 +305,7 @@ struct CoatScene {
 };
 
 struct CameraScene {
-  /// If true, make_camera() places the camera in `direction` from the model, at the distance where the furred
-  /// model fills the picture. If false, `eye` and `target` define the camera.
-  bool framed = true;
+  bool framed = true;                       ///< true: make_camera() places the camera
   glm::vec3 direction{1.3f, 1.15f, 2.35f};  ///< direction from the target to the eye
   glm::vec3 eye{1.3f, 1.15f, 2.35f};        ///< position of the camera in R; used if `framed` is false
   glm::vec3 target{0.0f};  ///< point in the centre of the picture, in R; used if `framed` is false
@@ -356,8 +327,6 @@ struct MeshScene {
   std::string up = "y";            ///< the axis that points up in the mesh file: "y" | "z"
   glm::vec3 rotate{0.0f};          ///< rotation of the model about x, then y, then z, in degrees
   std::string components = "all";  ///< connected components of a mesh file that are kept: "all" | "largest"
-  /// Number of frames of a mesh that moves and deforms. The model is then the mesh file of the first frame,
-  /// and the number in its name counts up. 1: the mesh does not deform.
   int frames = 1;
   std::string after_frames = "hold";  ///< "hold": the last frame stays | "repeat": the first frame follows
 };

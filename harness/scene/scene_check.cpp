@@ -1,6 +1,4 @@
 // Checks single values of a scene and the consistency of all values.
-#include "harness/scene/scene_check.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,13 +8,21 @@
 #include <limits>
 
 #include "harness/error.hpp"
-#include "harness/scene/contact_keys.hpp"
 #include "harness/scene/keyframes.hpp"
+#include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
 namespace {
 
+/// Greatest permitted number of fur texels, layers * texture^2. At 2 bytes per texel, this number of texels
+/// needs 512 MiB.
+constexpr long most_fur_texels = 1L << 28;
+/// Greatest permitted number of pixels, width * height. At 4 floats per pixel, this number of pixels needs
+/// 1 GiB.
+constexpr long most_pixels = 1L << 26;
+/// Greatest permitted number of frames that are simulated before the first picture.
+constexpr long most_frames = 1000000;
 constexpr std::size_t longest_wet_text = 80;  // characters of wetness.text
 
 /// Returns true if a value is outside the range of its key. Floats are compared with the bounds in single

@@ -51,6 +51,9 @@ struct KeyList {
 /// Returns all lists. The functions of a KeyList refer to `scene`.
 std::vector<KeyList> scene_lists(Scene& scene);
 
+/// Returns the key called `name`; null if there is none.
+const Key* find_key(const std::vector<Key>& keys, std::string_view name);
+
 /// Returns the permitted values of the string key `name`, in the order of Key::choices. Throws InputError if
 /// no key has this name.
 std::vector<std::string> choices_of(std::string_view name);
@@ -67,5 +70,29 @@ std::string describe_range(const Key& key);
 /// True if `model` is the path of a mesh file. Paths contain '/' or '.'. Names in models.toml contain
 /// neither of these characters.
 bool is_model_file(std::string_view model);
+
+inline constexpr std::string_view contact_sphere_list = "contact.sphere";
+inline constexpr std::string_view contact_capsule_list = "contact.capsule";
+
+/// Returns the keys of `contact` except those of the lists. Key::slot points into `contact`.
+std::vector<Key> contact_keys(ContactScene& contact);
+
+/// Returns the keys of an entry of [[contact.sphere]], with short names.
+std::vector<Key> contact_sphere_keys(ContactSphereScene& sphere);
+
+/// Returns the keys of an entry of [[contact.capsule]], with short names.
+std::vector<Key> contact_capsule_keys(ContactCapsuleScene& capsule);
+
+/// Returns the keys [strands] and [strands.chain]. Key::slot points into `strands`.
+std::vector<Key> strand_keys(StrandsScene& strands);
+
+/// Returns the keys of one entry of [[strands.layer]] or [[strands.fill]], with short names.
+std::vector<Key> strand_layer_keys(StrandLayerScene& layer);
+std::vector<Key> strand_fill_keys(StrandFillScene& fill);
+
+/// Returns the error text for the value of a key, for instance "7 is out of range; give 2 to 5"; empty if the
+/// key permits the value. `values` are the components of one value.
+std::string complaint(const Key& key, const std::vector<double>& values);
+std::string complaint(const Key& key, const std::string& value);
 
 }  // namespace pelage

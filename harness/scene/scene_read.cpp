@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 
 #include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/nearest_name.hpp"
-#include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -178,10 +176,9 @@ void read_list(const Source& source, const toml::node& node, const KeyList& list
       refuse(source, &element, here, fmt::format("is {}; give [[{}]] entries", kind(element), list.name));
     const std::vector<Key> keys = list.keys(i);
     for (const auto& [word, value] : *table) {
-      const auto key = std::find_if(keys.begin(), keys.end(),
-                                    [wanted = word.str()](const Key& k) { return k.name == wanted; });
+      const Key* key = find_key(keys, word.str());
       const std::string full = fmt::format("{}.{}", here, word.str());
-      if (key == keys.end()) refuse(source, &value, full, unknown(word.str(), keys, {}));
+      if (!key) refuse(source, &value, full, unknown(word.str(), keys, {}));
       assign(source, value, *key, full);
     }
   }
@@ -194,9 +191,8 @@ bool read_key(const Keys& known, const Source& source, const toml::node& node, c
       read_list(source, node, list);
       return true;
     }
-  const auto key =
-      std::find_if(known.keys.begin(), known.keys.end(), [&](const Key& k) { return k.name == name; });
-  if (key == known.keys.end()) return false;
+  const Key* key = find_key(known.keys, name);
+  if (!key) return false;
   known.make_constant(name);
   assign(source, node, *key, name);
   return true;
@@ -264,8 +260,8 @@ void read_keyframes(const Source& source, const toml::node& node, const std::str
       read_keyframes(source, value, name + ".", scene);
       continue;
     }
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
-    if (key == keys.end()) refuse(source, &value, full, unknown(name, keys, {}));
+    const Key* key = find_key(keys, name);
+    if (!key) refuse(source, &value, full, unknown(name, keys, {}));
     if (!may_have_keyframes(*key)) refuse(source, &value, full, "this key cannot change over time");
     KeyTrack track = read_track(source, value, *key, full);
     std::vector<KeyTrack>& tracks = scene.keyframes.tracks;
@@ -333,18 +329,18 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
   const Source source{source_name, ".", false};
   const Keys known(scene);
   const std::vector<Key>& keys = known.keys;
-  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
+  const Key* key = find_key(keys, name);
   const bool is_list = std::any_of(known.lists.begin(), known.lists.end(),
                                    [&](const KeyList& list) { return list.name == name; });
-  if (key == keys.end() && !is_list) refuse(source, nullptr, name, unknown(name, keys, known.lists));
-  const bool words = key != keys.end() && (std::holds_alternative<std::string*>(key->slot) ||
-                                           std::holds_alternative<fs::path*>(key->slot));
+  if (!key && !is_list) refuse(source, nullptr, name, unknown(name, keys, known.lists));
+  const bool words = key && (std::holds_alternative<std::string*>(key->slot) ||
+                             std::holds_alternative<fs::path*>(key->slot));
   if (words && (value.empty() || (value[0] != '"' && value[0] != '\''))) {
     known.make_constant(name);
     assign(source, toml::value<std::string>(value), *key, name);
     return;
   }
-  const std::string wanted = key != keys.end() ? describe_range(*key) : "an array of tables";
+  const std::string wanted = key ? describe_range(*key) : "an array of tables";
   try {
     const std::string line = "value = " + value;
     check_toml_text(line, fmt::format("{}: {}", source_name, name));

@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
 #include "harness/scene/scene_keys.hpp"
@@ -36,38 +33,26 @@ std::string number(Real value) {
   return digits;
 }
 
-std::string text(float value) {
-  return number(value);
-}
-
-std::string text(const glm::vec2& v) {
-  return fmt::format("[{}, {}]", text(v.x), text(v.y));
-}
-std::string text(const glm::vec3& v) {
-  return fmt::format("[{}, {}, {}]", text(v.x), text(v.y), text(v.z));
-}
-std::string text(int value) {
-  return fmt::format("{}", value);
-}
-std::string text(std::uint32_t value) {
-  return fmt::format("{}", value);
-}
-std::string text(bool value) {
-  return value ? "true" : "false";
-}
-std::string text(const std::string& value) {
-  return quoted(value);
-}
-std::string text(const std::filesystem::path& value) {
-  return quoted(value.string());
-}
-template <class T>
-std::string text(const std::optional<T>& value) {
-  return value ? text(*value) : std::string{};
-}
-
 /// Returns the value as TOML. If the value is absent, returns an empty string. Only a droplet's uv and a
 /// droplet's point can be absent.
+template <class T>
+std::string text(const T& value) {
+  if constexpr (std::is_same_v<T, float>)
+    return number(value);
+  else if constexpr (std::is_same_v<T, glm::vec2>)
+    return fmt::format("[{}, {}]", number(value.x), number(value.y));
+  else if constexpr (std::is_same_v<T, glm::vec3>)
+    return fmt::format("[{}, {}, {}]", number(value.x), number(value.y), number(value.z));
+  else if constexpr (std::is_arithmetic_v<T>)
+    return fmt::format("{}", value);  // a truth value gives "true" or "false"
+  else if constexpr (requires { value.has_value(); })
+    return value ? text(*value) : std::string{};
+  else if constexpr (std::is_same_v<T, std::string>)
+    return quoted(value);
+  else
+    return quoted(value.string());
+}
+
 std::string value_text(const Key& key) {
   return std::visit([](const auto* slot) { return text(*slot); }, key.slot);
 }
@@ -105,12 +90,11 @@ std::string describe_list(const KeyList& standard) {
 template <class Use>
 void for_keyframes(const KeyTrack& track, const Use& use) {
   Scene scratch;
-  for (const Key& key : scene_keys(scratch)) {
-    if (key.name != track.key) continue;
-    for (const Keyframe& frame : track.frames) {
-      set_key(key, frame.value);
-      use(key, frame.time);
-    }
+  const std::vector<Key> keys = scene_keys(scratch);
+  const Key* key = find_key(keys, track.key);
+  for (std::size_t i = 0; key && i < track.frames.size(); ++i) {
+    set_key(*key, track.frames[i].value);
+    use(*key, track.frames[i].time);
   }
 }
 

@@ -1,5 +1,4 @@
-// The lighting models and their properties. S and W are the papers of Silva et al. 2010 about curling fur and
-// about wet fur (docs/shells.md).
+// The lighting models and their properties (docs/shells.md).
 #pragma once
 #include <span>
 #include <string>

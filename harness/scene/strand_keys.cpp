@@ -1,10 +1,8 @@
 // The scene keys of fur of single strands (docs/strands.md). In the help texts, R is the radius of the
 // model's bounding sphere, and L is the length of a strand.
-#include "harness/scene/strand_keys.hpp"
+#include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
-namespace {}  // namespace
-
 // clang-format off
 std::vector<Key> strand_keys(StrandsScene& s) {
   ChainScene& chain = s.chain;

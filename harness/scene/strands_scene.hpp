@@ -1,5 +1,5 @@
 // The part of a scene that describes fur of single strands (docs/strands.md). The pipelines `strands` and
-// `strands-opengl` use it. R is the radius of the mesh's bounding sphere.
+// `strands-opengl` use it. strand_keys.cpp says what a value means.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -36,11 +36,7 @@ struct StrandLayerScene {
   std::filesystem::path mask;     ///< the layer has strands only where this map is at least 0.5
   std::filesystem::path density_map, length_map, width_map, stiffness_map;
   std::filesystem::path curvature_map, twist_map;  ///< maps of signed angles
-  /// Map of the combing direction instead of `comb`. Red, green and blue are 2 v - 1 along the directions of
-  /// growing u, of growing v, and of the normal.
   std::filesystem::path comb_map;
-  /// Film strip: a picture with 8 columns and one row per frame. Red is the luminance, green the gloss, and
-  /// blue the transparency. Empty: no film strip.
   std::filesystem::path film;
   float order_bias = 0.0f;  ///< added to the layer's view depth when layers are sorted, R
   int order_offset = 0;     ///< number of places by which the layer moves back in the sorted layers
@@ -63,8 +59,6 @@ struct ChainScene {
   float damping_joint = 0.2f;  ///< damping of the difference between the segments' rates, 1/s
   float first_segment = 0.5f;  ///< length of the first segment, L
   float tip_mass = 0.4f;       ///< part of a strand's mass at the tip; the joint has the rest
-  /// What joint and tip collide with: "plane" (the plane of the skin at the root) | "body" (also a coarse
-  /// signed distance field of the mesh).
   std::string collision = "plane";
   int body_cells = 64;  ///< number of cells of this field along the longest side of the mesh
 };
@@ -72,12 +66,8 @@ struct ChainScene {
 struct StrandsScene {
   bool skin = true;  ///< true: the mesh is drawn below the strands and hides those behind it
   int segments = 6;  ///< greatest number of straight segments of a drawn strand
-  /// Number of segments of a drawn strand: "fixed" (`segments`) | "screen" (as many as the length of the
-  /// strands on the screen needs, at most `segments`).
   std::string subdivision = "fixed";
   float fraction = 1.0f;  ///< part of the strands that is drawn; their width grows so that coverage is kept
-  /// Least mean width of the drawn strands at their roots, pixels. Where all strands are thinner, fewer and
-  /// wider strands are drawn. 0: no limit.
   float least_width = 0.0f;
   float taper = 0.85f;    ///< part of the width that a strand loses from root to tip
   float opacity = 0.85f;  ///< alpha of a strand at its root
@@ -86,7 +76,6 @@ struct StrandsScene {
   float rim_exponent = 3.0f;
   float skin_shadow = 0.6f;         ///< part of the light that a strand loses at its root
   float skin_shadow_height = 0.5f;  ///< height above the skin without this loss, L
-  /// Shadow of the key light: "none" | "linear" | "exp", two readings of the paper's opacity map.
   std::string shadow = "linear";
   int shadow_size = 512;  ///< number of texels per side of the opacity map
   std::vector<StrandLayerScene> layers{StrandLayerScene{}};

@@ -1,7 +1,6 @@
 #include "harness/subjects/baseline_scene.hpp"
 
 #include "harness/compare/metrics.hpp"
-#include "harness/compare/ssim.hpp"
 #include "harness/measure/turns.hpp"
 
 namespace pelage {

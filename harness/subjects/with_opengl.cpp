@@ -1,6 +1,6 @@
 #include "harness/subjects/with_opengl.hpp"
 
-#include "harness/compare/pictures.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/measure/turns.hpp"
 
 namespace pelage {

@@ -1,7 +1,7 @@
 #include "harness/system/renderer.hpp"
 
 #include "harness/dump/dump.hpp"
-#include "harness/scene/picture_scene.hpp"
+#include "harness/scene/keyframes.hpp"
 
 namespace pelage {
 

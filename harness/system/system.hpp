@@ -17,7 +17,7 @@
 
 #include "harness/cl/frame_timing.hpp"
 #include "harness/cl/program.hpp"
-#include "harness/compare/pictures.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/picture/hdf5_file.hpp"

@@ -4,8 +4,7 @@
 
 #include <chrono>
 
-#include "harness/compare/masks.hpp"
-#include "harness/compare/tips.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"

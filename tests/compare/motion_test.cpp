@@ -2,12 +2,10 @@
 // larger differences fail.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "harness/compare/masks.hpp"
-#include "harness/compare/tips.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
 
 namespace pelage {

@@ -6,13 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "harness/compare/frame_output.hpp"
-#include "harness/diagrams/lines.hpp"
 #include "harness/diagrams/mask_picture.hpp"
 #include "harness/diagrams/strand_lines.hpp"
-#include "harness/diagrams/textures.hpp"
-#include "harness/diagrams/wind_arrow.hpp"
 #include "harness/error.hpp"
-#include "harness/prepare/camera.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {

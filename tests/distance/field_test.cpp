@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "harness/distance/closed_surface.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/random.hpp"
 #include "tests/strands/support/meshes.hpp"

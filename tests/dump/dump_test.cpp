@@ -1,32 +1,36 @@
-// Tests the datasets of a dump of shells, with which the table of docs/dump.md is written.
+// Tests the datasets of dumps, with which the tables of docs/dump.md are written.
 #include "harness/dump/dump.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include <algorithm>
-#include <fstream>
+#include <glm/geometric.hpp>
 #include <regex>
 
+#include "harness/compare/frame_output.hpp"
+#include "harness/compare/tolerances.hpp"
+#include "harness/prepare/water.hpp"
+#include "harness/shells/opencl/shells.hpp"
 #include "tests/dump/table.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
+std::string document(const char* name) {
+  return test::text_of(std::filesystem::path(PELAGE_SOURCE_DIR) / "docs" / name);
+}
 
-/// Writes a dump of the frame `input`, drawn by the reference, and returns its datasets.
-Datasets dumped(const FrameInput& input) {
-  std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
-  if (!mkdtemp(folder.data())) std::abort();
-  const fs::path path = fs::path(folder) / "frame.h5";
-  const FrameOutput output = reference_output(input, 2, false);
-  write_dump(path, {input.scene, *input.mesh, output.image, output.pipeline, 2},
-             [&](Hdf5File& file) { dump::write_shells(file, input, output); });
-  const Datasets found = datasets_of(path);
-  fs::remove_all(folder);
-  return found;
+/// Writes a dump of the frame `input` after `frames` frames, drawn by the reference, and reads it.
+template <class Use>
+auto dumped(const FrameInput& input, int frames, const Use& use) {
+  const FrameOutput output = reference_output(input, frames, false);
+  return with_dump(
+      {input.scene, *input.mesh, output.image, output.pipeline, frames},
+      [&](Hdf5File& file) { dump::write_shells(file, input, output); }, use);
 }
 
 /// The sizes of this frame differ from each other and from the constants of docs/dump.md.
@@ -44,7 +48,7 @@ FrameInput frame_of(const std::string& topology, const std::string& binding) {
 Dumped shells(const std::string& scenes, const FrameInput& input) {
   const std::size_t faces = input.mesh->triangle.size();
   const auto text = [](auto number) { return fmt::format("{}", number); };
-  Dumped dump{scenes, dumped(input), {}};
+  Dumped dump{scenes, dumped(input, 2, datasets_of), {}};
   dump.symbols = {{text(input.mesh->position.size()), "V"},
                   {text(input.mesh->welded), "W"},
                   {text(input.mesh->welded + 1), "W+1"},
@@ -108,9 +112,8 @@ TEST_P(Dumps, HoldWhatTheDocumentSaysAndNothingElse) {
   const auto [topology, binding] = GetParam();
   const FrameInput input = frame_of(topology, binding);
   const bool springs = has_springs(input.scene.dynamics);
-  const Datasets file = dumped(input);
-  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/dump.md");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const Datasets file = dumped(input, 2, datasets_of);
+  const std::string text = document("dump.md");
   static const std::regex row(R"(\n\| `([^`]+)` \| (always|face springs|sticks) \| ([^|]+), \w+ \|)");
   const std::size_t end = text.find("<!-- shells ends");
   std::size_t rows = 0;
@@ -139,17 +142,122 @@ INSTANTIATE_TEST_SUITE_P(Of, Dumps,
 
 // docs/shells.md may name only datasets of the table of docs/dump.md.
 TEST(Document, NamesOnlyDatasetsOfItsTable) {
-  const auto read = [](const char* name) {
-    std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs" / name);
-    return std::string{std::istreambuf_iterator<char>(stream), {}};
-  };
-  const std::string rules = read("shells.md"), table = read("dump.md");
+  const std::string rules = document("shells.md"), table = document("dump.md");
   static const std::regex name("`((?:mesh|tangent|curl|strand|weight|stick|droplet|layer|camera)/\\w+)`");
   std::size_t named = 0;
   for (std::sregex_iterator m(rules.begin(), rules.end(), name), end; m != end; ++m, ++named)
     EXPECT_NE(table.find("\n| `" + (*m)[1].str() + "` |"), std::string::npos) << (*m)[1];
   EXPECT_GT(named, 20u);
 }
+
+// Tests that the dump of a frame whose water changes over time holds the arrival and the present wetness of
+// every droplet (docs/shells.md, section 10).
+
+std::vector<float> floats(hid_t file, const char* name) {
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  std::vector<float> values(std::size_t(H5Sget_simple_extent_npoints(space)));
+  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Sclose(space);
+  H5Dclose(set);
+  return values;
+}
+
+TEST(WaterDump, HoldsTheWetnessOfThePicture) {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.layers = 2;
+  scene.wetness.soak = .05f;
+  scene.dynamics.topology = "silva";
+  FrameInput input = synthetic::frame(scene, synthetic::torus(), 12, 8, 8);
+  for (std::size_t i = 0; i < 8; ++i) input.droplets[i].arrival = .01f * float(i);
+  constexpr int frames = 4;  // the picture at 0.05 s, with the default step and substeps
+  std::vector<float> arrival, rho, soaked;
+  dumped(input, frames, [&](const std::filesystem::path& path) {
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    arrival = floats(file, "droplet/arrival");
+    rho = floats(file, "droplet/rho");
+    soaked = floats(file, "droplet/wetness");
+    H5Fclose(file);
+  });
+  ASSERT_EQ(rho.size(), 8u);
+  const double time = picture_time(scene.dynamics, frames);
+  ASSERT_NEAR(time, .05, 1e-6);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(soaked[i], input.droplets[i].wetness);
+    EXPECT_EQ(arrival[i], input.droplets[i].arrival);
+    const double part = std::clamp((time - double(arrival[i])) / .05, 0.0, 1.0);
+    EXPECT_NEAR(rho[i], part * double(soaked[i]), 1e-6) << "droplet " << i;
+  }
+  EXPECT_EQ(rho[7], 0) << "this droplet has not arrived";
+}
+
+// Every dataset of a dump of strands that other dumps do not have has a line in docs/dump.md. The sizes of
+// the frame differ from each other and from the constants of docs/dump.md.
+TEST(StrandsDumpTable, IsWrittenFromTheDump) {
+  Scene scene;
+  scene.model = "torus";
+  scene.image.width = 60;
+  scene.image.height = 40;
+  scene.strands.layers.resize(5, scene.strands.layers.front());
+  for (auto& layer : scene.strands.layers) layer.count = 61;
+  scene.strands.fills.resize(9);
+  const auto input =
+      strands::prepare_strands(scene, std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 9, 6)));
+  const StrandFrame frame = reference_strands(*input, 1);
+  Dumped dump{"",
+              with_dump(
+                  {scene, *input->mesh, frame.picture, "strands-reference", 1},
+                  [&](Hdf5File& file) { dump::write_strand_frame(file, *input, frame); }, datasets_of),
+              {}};
+  const auto text = [](auto number) { return fmt::format("{}", number); };
+  dump.symbols = {{text(input->fur.keys.size()), "K"},
+                  {text(input->fur.strands.size()), "S"},
+                  {text(frame.order.size()), "D"},
+                  {text(input->look.fills.size()), "L"},
+                  {text(input->look.layers.size()), "B"},
+                  {text(input->look.film.size()), "M"},
+                  {text(input->mesh->position.size()), "V"},
+                  {"40", "height"},
+                  {"60", "width"}};
+  EXPECT_EQ(dump.symbols.size(), 9u) << "two sizes of the frame are equal";
+  std::erase_if(dump.file, [](const auto& one) {
+    return one.first == "scene" || one.first.starts_with("mesh/") || one.first.starts_with("camera/");
+  });
+  EXPECT_GT(dump.file.size(), 20u);
+  expect_in_document("strands", table_of({dump}));
+}
+
+// Tests the velocities in the dump of a frame that a device computed. They must agree with the velocities of
+// the reference, in the same unit (the model's radius R per second) and in the same order.
+
+struct Velocities : testing::TestWithParam<const char*> {};
+
+TEST_P(Velocities, AreTheReferences) {
+  constexpr int frames = 6;
+  Scene scene = synthetic::lively_scene();
+  scene.fur.layers = 2;
+  scene.dynamics.topology = GetParam();
+  const auto input = std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 12, 8, 0));
+  Shells shells(cl::choose_device(""), input);
+  shells.advance(frames);
+  const std::vector<glm::vec3> ours = shells.velocities();
+  const FrameOutput reference = reference_motion(*input, frames);
+  ASSERT_EQ(ours.size(), reference.velocities.size());
+  ASSERT_EQ(ours.size(), reference.tips.size());
+  double worst = 0, fastest = 0;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    worst = std::max(worst, double(glm::length(ours[i] - reference.velocities[i])));
+    fastest = std::max(fastest, double(glm::length(reference.velocities[i])));
+  }
+  EXPECT_LT(worst, tolerance::velocity);
+  EXPECT_GT(fastest, 100 * tolerance::velocity) << "something moves";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Velocities, testing::Values("silva", "sticks", "separable-prisms"),
+                         [](const auto& given) {
+                           std::string text = given.param;
+                           std::replace(text.begin(), text.end(), '-', '_');
+                           return text;
+                         });
 
 }  // namespace
 }  // namespace pelage

@@ -1,6 +1,4 @@
-#include "harness/mesh/archive.hpp"
 #include "harness/mesh/cache.hpp"
-#include "harness/mesh/gltf_files.hpp"
 #include "harness/mesh/soup.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/fuzz/targets.hpp"

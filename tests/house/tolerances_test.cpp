@@ -74,9 +74,9 @@ TEST(Tolerances, PlantedOnesAreFound) {
       {"harness/commands/check.cpp", "constexpr double most_tip_error = 1e-3, usual_tip_error = 1e-5;"},
       {"harness/subjects/opengl.cpp", "constexpr double least_psnr = 55.0;  // dB"},
       {"tests/shells/opengl/picture_test.cpp", "constexpr double least_psnr = 55.0;"},
-      {"harness/compare/masses.cpp", R"(  return {{against, "worst", found.worst, 1e-4, false}};)"},
+      {"harness/compare/checks.cpp", R"(  return {{against, "worst", found.worst, 1e-4, false}};)"},
       {"harness/springs/studies/duel.cpp", R"(        {"reference", "residual", left, 1e-3, false},)"},
-      {"harness/compare/sticks.cpp",
+      {"harness/compare/checks.cpp",
        R"({"masses", "rms error / L0", std::sqrt(square / double(error.size())), 1e-3, false},)"},
       {"harness/compare/windows.cpp", R"(  {"reference", "psnr", all.psnr, 60.0, true},)"},
       {"harness/commands/check.cpp", R"({"mappings", name, compare(a, b).worst, 1.0 / 255.0, false}};)"},
@@ -89,9 +89,9 @@ TEST(Tolerances, PlantedOnesAreFound) {
   for (const auto& [path, line] : planted) EXPECT_EQ(count_in(path, line), 1u) << path << ": " << line;
   const std::pair<const char*, const char*> allowed[] = {
       {"harness/compare/tolerances.hpp", "inline constexpr double picture_psnr = 60.0;"},
-      {"harness/compare/masks.cpp", R"({"reference", "texels wet in one only", other, 0, false},)"},
-      {"harness/compare/pictures.cpp", R"({against, "fur pixels", double(agreement.pixels), 1, true},)"},
-      {"harness/compare/masses.cpp", "{{against, \"worst\", found.worst, tolerance::stick_top, false}};"},
+      {"harness/compare/checks.cpp", R"({"reference", "texels wet in one only", other, 0, false},)"},
+      {"harness/compare/checks.cpp", R"({against, "fur pixels", double(agreement.pixels), 1, true},)"},
+      {"harness/compare/checks.cpp", "{{against, \"worst\", found.worst, tolerance::stick_top, false}};"},
       {"harness/prepare/camera.cpp", "if (glm::length(right) < 1e-6 * glm::length(up))"},
       {"tests/support/fake.hpp", R"(row.check = {{"reference", "psnr", 71.5, 60, true}};)"},
       {"tests/shells/reference/render_test.cpp", "EXPECT_GT(agreement.psnr, 35);"}};

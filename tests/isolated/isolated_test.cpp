@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "harness/error.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -23,17 +23,16 @@ std::uint64_t address_space() {
 // Allocates `bytes` bytes of memory in the isolated process. Returns the error message, or "" if there is no
 // error.
 std::string message_of(std::uint64_t bytes, const Limits& limits) {
-  try {
-    isolated("cat.obj", limits,
-             [bytes](const Say&) {
-               const std::string taken(bytes, 'x');
-               return taken.substr(0, 1);
-             },
-             {});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal(
+      [&] {
+        isolated("cat.obj", limits,
+                 [bytes](const Say&) {
+                   const std::string taken(bytes, 'x');
+                   return taken.substr(0, 1);
+                 },
+                 {});
+      },
+      "");
 }
 
 class LimitOfUser : public ::testing::Test {
@@ -67,6 +66,34 @@ TEST_F(LimitOfUser, IsNotNamedIfTheOwnLimitIsLower) {
   const std::string message =
       message_of(std::uint64_t(1) << 30, {std::uint64_t(64) << 20, std::chrono::seconds(60)});
   EXPECT_NE(message.find("needs more than 64 MiB of memory"), std::string::npos) << message;
+}
+
+TEST(RunProgram, GivesTheExitCodeAndTheMessages) {
+  const ProgramOutcome outcome = run_program({"sh", "-c", "echo one; echo two >&2; exit 3"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.messages, "one\ntwo\n");
+  EXPECT_EQ(last_line(outcome.messages), "two");
+}
+
+TEST(RunProgram, PassesArgumentsWithoutAShell) {
+  EXPECT_EQ(run_program({"printf", "%s|", "a b", "$HOME", "*"}).messages, "a b|$HOME|*|");
+}
+
+TEST(RunProgram, RunsInAFolderWithoutInput) {
+  EXPECT_EQ(run_program({"pwd"}, "/usr").messages, "/usr\n");
+  EXPECT_EQ(run_program({"cat"}).messages, "");
+}
+
+TEST(RunProgram, TellsThatAProgramCannotBeStartedOrWasKilled) {
+  EXPECT_EQ(run_program({"no-program-of-this-name"}).code, 127);
+  EXPECT_EQ(run_program({"pwd"}, "/no-such-folder").code, 127);
+  EXPECT_EQ(run_program({"sh", "-c", "kill -9 $$"}).code, -1);
+}
+
+TEST(RunProgram, SearchesOnPath) {
+  EXPECT_TRUE(on_path("sh"));
+  EXPECT_FALSE(on_path("no-program-of-this-name"));
+  EXPECT_FALSE(on_path("."));  // a folder
 }
 
 }  // namespace

@@ -3,18 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "tests/mesh/temp_folder.hpp"
 
 namespace pelage {
 namespace {
-
-std::string content(const std::filesystem::path& file) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
-  return bytes.str();
-}
 
 std::filesystem::path only_file(const std::filesystem::path& folder) {
   std::filesystem::path found;
@@ -57,18 +50,18 @@ TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   const auto first = load_model("square");
   const std::filesystem::path file = only_file(folder.path);
-  const std::string good = content(file);
+  const std::string good = test::text_of(file);
   ASSERT_TRUE(decode(good));
 
   std::string bad = good;
   bad[bad.size() / 2] = char(bad[bad.size() / 2] ^ 1);
   std::ofstream(file, std::ios::binary) << bad;
   EXPECT_EQ(load_model("square")->hash, first->hash);
-  EXPECT_EQ(content(file), good);
+  EXPECT_EQ(test::text_of(file), good);
 
   std::filesystem::resize_file(file, good.size() / 3);
   EXPECT_EQ(load_model("square")->hash, first->hash);
-  EXPECT_EQ(content(file), good);
+  EXPECT_EQ(test::text_of(file), good);
 }
 
 TEST(Cache, a_folder_that_cannot_be_written_costs_time_only) {

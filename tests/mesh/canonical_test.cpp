@@ -1,6 +1,4 @@
 // Tests that a surface gives the same mesh in whatever order its file lists points, faces and corners.
-#include "harness/mesh/canonical.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "harness/mesh/soup.hpp"
 #include "tests/mesh/temp_folder.hpp"
 
 namespace pelage {

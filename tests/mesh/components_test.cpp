@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "harness/error.hpp"
 #include "harness/mesh/quality.hpp"
 #include "tests/mesh/temp_folder.hpp"
 
@@ -39,7 +38,9 @@ class Shapes {
     first_ += 3;
     return *this;
   }
-  const std::string& text() const { return text_; }
+  std::shared_ptr<const Mesh> mesh(const MeshOptions& options = fresh()) const {
+    return load_model(TempFolder().write("shapes.obj", text_), options);
+  }
 
  private:
   std::string text_;
@@ -47,13 +48,12 @@ class Shapes {
 };
 
 TEST(Components, OfAFileEachGetsAChart) {
-  const TempFolder folder;
-  Shapes shapes;
-  shapes.octahedron({0, 0, 0}, 1)
-      .octahedron({4, 0, 0}, 0.1f)
-      .octahedron({0, 4, 0}, 0.5f)
-      .triangle({0, 0, 4}, 1);
-  const auto mesh = load_model(folder.write("four.obj", shapes.text()), fresh());
+  const auto mesh = Shapes()
+                        .octahedron({0, 0, 0}, 1)
+                        .octahedron({4, 0, 0}, 0.1f)
+                        .octahedron({0, 4, 0}, 0.5f)
+                        .triangle({0, 0, 4}, 1)
+                        .mesh();
   const Topology t = topology(*mesh);
   EXPECT_EQ(t.components, 4u);
   EXPECT_EQ(mesh->triangle.size(), 25u);
@@ -73,10 +73,7 @@ TEST(Components, OfAFileEachGetsAChart) {
 }
 
 TEST(Components, LieApartByAtLeastTwoTexelsOfAMask) {
-  const TempFolder folder;
-  Shapes shapes;
-  shapes.octahedron({0, 0, 0}, 1).octahedron({4, 0, 0}, 1);
-  const auto mesh = load_model(folder.write("two.obj", shapes.text()), fresh());
+  const auto mesh = Shapes().octahedron({0, 0, 0}, 1).octahedron({4, 0, 0}, 1).mesh();
   const std::vector<std::uint32_t> chart = charts(*mesh);
   ASSERT_EQ(*std::max_element(chart.begin(), chart.end()), 1u);
   const int side = 256;
@@ -102,21 +99,16 @@ TEST(Components, LieApartByAtLeastTwoTexelsOfAMask) {
 }
 
 TEST(Components, OnlyTheLargestIsKeptWhereAsked) {
-  const TempFolder folder;
-  Shapes shapes;
-  shapes.triangle({0, 0, 4}, 9).octahedron({0, 0, 0}, 1);
   MeshOptions options = fresh();
   options.largest_only = true;
-  const auto mesh = load_model(folder.write("two.obj", shapes.text()), options);
+  const auto mesh = Shapes().triangle({0, 0, 4}, 9).octahedron({0, 0, 0}, 1).mesh(options);
   EXPECT_EQ(topology(*mesh).components, 1u);
   EXPECT_EQ(mesh->triangle.size(), 8u);
 }
 
 TEST(Components, ThatAreOpenAndSmallAreDropped) {
-  const TempFolder folder;
-  Shapes shapes;
-  shapes.octahedron({0, 0, 0}, 1).triangle({0, 0, 4}, 0.1f).octahedron({3, 0, 0}, 0.01f);
-  const auto mesh = load_model(folder.write("scrap.obj", shapes.text()), fresh());
+  const auto mesh =
+      Shapes().octahedron({0, 0, 0}, 1).triangle({0, 0, 4}, 0.1f).octahedron({3, 0, 0}, 0.01f).mesh();
   EXPECT_EQ(topology(*mesh).components, 2u);  // closed components are kept even if they are small
   EXPECT_EQ(std::count(mesh->notes.begin(), mesh->notes.end(),
                        "kept 2 of 3 components; the others are open and small"),
@@ -124,10 +116,7 @@ TEST(Components, ThatAreOpenAndSmallAreDropped) {
 }
 
 TEST(Components, AreTurnedOutwardsEachForItself) {
-  const TempFolder folder;
-  Shapes shapes;
-  shapes.octahedron({0, 0, 0}, 1).octahedron({4, 0, 0}, 1, true);
-  const auto mesh = load_model(folder.write("two.obj", shapes.text()), fresh());
+  const auto mesh = Shapes().octahedron({0, 0, 0}, 1).octahedron({4, 0, 0}, 1, true).mesh();
   glm::vec3 low(1e9f), high(-1e9f);
   for (const glm::vec3& p : mesh->position) low = glm::min(low, p), high = glm::max(high, p);
   const float middle = (low.x + high.x) / 2;

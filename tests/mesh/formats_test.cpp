@@ -2,11 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 
-#include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
 #include "tests/mesh/temp_folder.hpp"

@@ -7,11 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/mesh/chart_places.hpp"
-#include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/uv_overlap.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {

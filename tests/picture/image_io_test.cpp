@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
@@ -74,8 +75,7 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
 TEST_F(ImageIo, PngSaysThatItIsSrgb) {
   using namespace std::string_literals;
   write_picture(folder / "a.png", gradient(3, 2));
-  std::ifstream stream(folder / "a.png", std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::string bytes = test::text_of(folder / "a.png");
   EXPECT_EQ(bytes.substr(12, 17), "IHDR\0\0\0\3\0\0\0\2\x08\2\0\0\0"s);
   EXPECT_NE(bytes.find("gAMA\0\0\xb1\x8f"s), std::string::npos);
   EXPECT_NE(bytes.find("sRGB\3"s), std::string::npos);
@@ -99,8 +99,7 @@ TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
                                   throw InputError("the disk is full");
                                 }),
                InputError);
-  std::ifstream stream(file);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "before");
+  EXPECT_EQ(test::text_of(file), "before");
   EXPECT_EQ(files(), 1u);
   EXPECT_THROW(write_picture("/dev/full/a.png", gradient(2, 2)), InputError);
   EXPECT_THROW(write_picture(folder / "none/a.png", gradient(2, 2)), InputError);
@@ -118,12 +117,7 @@ TEST_F(ImageIo, AFullDiskIsNamed) {
   const rlimit small{64, before.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  std::string said;
-  try {
-    write_picture(folder / "a.png", gradient(64, 64));
-  } catch (const InputError& error) {
-    said = error.what();
-  }
+  const std::string said = test::refusal([&] { write_picture(folder / "a.png", gradient(64, 64)); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(said, (folder / "a.png").string() + ": cannot be written: File too large");
@@ -134,8 +128,7 @@ TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
   const Picture picture = gradient(20, 20);
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
     write_picture(folder / name, picture);
-    std::ifstream stream(folder / name, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    const std::string bytes = test::text_of(folder / name);
     for (std::size_t size = 0; size + 1 < bytes.size(); size += 1 + size / 16) {
       const fs::path cut = folder / (std::string("cut") + name);
       std::ofstream(cut, std::ios::binary) << bytes.substr(0, size);
@@ -170,8 +163,7 @@ TEST_F(ImageIo, DamagedBytesNeverCrash) {
   int refused = 0;
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
     write_picture(folder / name, picture);
-    std::ifstream stream(folder / name, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    const std::string bytes = test::text_of(folder / name);
     for (int attempt = 0; attempt < 100; ++attempt) {
       std::string damaged = bytes;
       for (int hit = 0; hit < 4; ++hit) {
@@ -189,6 +181,54 @@ TEST_F(ImageIo, DamagedBytesNeverCrash) {
     }
   }
   EXPECT_GT(refused, 0);
+}
+
+/// Returns a picture in which the red value of each pixel is its column and the green value is its row.
+Picture ramp(int width, int height) {
+  Picture picture{width, height, std::vector<glm::vec4>(std::size_t(width) * std::size_t(height))};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) picture.at(x, y) = {float(x), float(y), 1, 1};
+  return picture;
+}
+
+TEST(Reduce, AWholeFactorAveragesBlocks) {
+  const Picture small = reduced(ramp(8, 4), 4);
+  ASSERT_EQ(small.width, 4);
+  ASSERT_EQ(small.height, 2);
+  EXPECT_FLOAT_EQ(small.at(0, 0).x, 0.5f);
+  EXPECT_FLOAT_EQ(small.at(3, 1).x, 6.5f);
+  EXPECT_FLOAT_EQ(small.at(3, 1).y, 2.5f);
+  EXPECT_FLOAT_EQ(small.at(2, 0).z, 1.0f);
+}
+
+TEST(Reduce, AnyFactorKeepsTheMean) {
+  const Picture full = ramp(37, 23), small = reduced(full, 10);
+  ASSERT_EQ(small.height, 6);
+  const auto mean = [](const Picture& picture) {
+    const glm::vec4 sum = std::accumulate(picture.pixel.begin(), picture.pixel.end(), glm::vec4(0));
+    return sum / float(picture.pixel.size());
+  };
+  EXPECT_NEAR(mean(small).x, mean(full).x, 1e-4);
+  EXPECT_NEAR(mean(small).y, mean(full).y, 1e-4);
+  EXPECT_NEAR(mean(small).w, 1, 1e-5);
+}
+
+TEST(Reduce, ASmallPictureIsUnchanged) {
+  EXPECT_EQ(reduced(ramp(5, 3), 5).pixel, ramp(5, 3).pixel);
+}
+
+TEST(Reduce, OneRowRemains) {
+  EXPECT_EQ(reduced(ramp(1000, 1), 10).height, 1);
+}
+
+TEST(Reduce, WebpHasItsSignature) {
+  Picture picture = ramp(16, 8);
+  for (glm::vec4& pixel : picture.pixel) pixel *= 0.05f;
+  const std::string bytes = webp_of(picture, 80);
+  ASSERT_GT(bytes.size(), 20u);
+  EXPECT_EQ(bytes.substr(0, 4), "RIFF");
+  EXPECT_EQ(bytes.substr(8, 4), "WEBP");
+  EXPECT_LT(bytes.size(), webp_of(picture, 100).size() + 1);
 }
 
 }  // namespace

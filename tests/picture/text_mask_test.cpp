@@ -2,14 +2,11 @@
 #include "harness/picture/text_mask.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
-#include "harness/error.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace pelage {
@@ -72,17 +69,14 @@ TEST(TextMask, TextThatLeavesTheSquareIsRefused) {
 TEST(TextMask, FilesThatAreNoFontsAreRefused) {
   EXPECT_NE(failure_of({"I", "missing.ttf"}).find("missing.ttf: there is no such font file"),
             std::string::npos);
-  const auto file = std::filesystem::temp_directory_path() / ("pelage-" + std::to_string(getpid()) + ".ttf");
-  std::ofstream(file) << "not a font";
+  const test::Folder folder;
+  const auto file = folder.path / "a.ttf";
+  test::write_text(file, "not a font");
   EXPECT_NE(failure_of({"I", file}).find("not a readable font"), std::string::npos)
       << failure_of({"I", file});
   // A font that is cut off must not crash the program.
-  std::ifstream whole(default_font(), std::ios::binary);
-  std::string bytes(20000, '\0');
-  whole.read(bytes.data(), std::streamsize(bytes.size()));
-  std::ofstream(file, std::ios::binary) << bytes;
+  test::write_text(file, test::text_of(default_font()).substr(0, 20000));
   EXPECT_NE(failure_of({"I", file}).find(file.string()), std::string::npos);
-  std::filesystem::remove(file);
 }
 
 }  // namespace

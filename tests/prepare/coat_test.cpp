@@ -1,18 +1,17 @@
 #include "harness/prepare/coat.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/surface_map.hpp"
 #include "tests/prepare/meshes.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
@@ -99,10 +98,9 @@ TEST(Coat, RefusesAnUnknownPattern) {
 }
 
 TEST(Coat, TakesAPictureWithItsTopAtVOne) {
-  const auto folder = std::filesystem::temp_directory_path() / ("pelage-coat-" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const test::Folder folder;
   CoatScene coat;
-  coat.image = folder / "coat.png";
+  coat.image = folder.path / "coat.png";
   Picture picture{4, 4, std::vector<glm::vec4>(16, glm::vec4(0, 0, 1, 1))};
   picture.at(0, 0) = glm::vec4(1, 0, 0, 1);  // top left
   write_picture(coat.image, picture);
@@ -111,16 +109,59 @@ TEST(Coat, TakesAPictureWithItsTopAtVOne) {
   EXPECT_EQ(t.texel[12][0], 255);  // u = 0, v = 1
   EXPECT_EQ(t.texel[12][2], 0);
   EXPECT_EQ(t.texel[0][2], 255);
-  coat.image = folder / "missing.png";
+  coat.image = folder.path / "missing.png";
   EXPECT_THROW(make_coat(*test::two_charts(), coat), InputError);
-  coat.image = folder / "coat.exr";
+  coat.image = folder.path / "coat.exr";
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e30f}) {
     picture.pixel.front().y = bad;
     write_picture(coat.image, picture);
     EXPECT_THROW(make_coat(*test::two_charts(), coat), InputError) << bad;
   }
-  std::filesystem::remove_all(folder);
+}
+
+constexpr int size = 32;
+
+/// Returns a mesh that maps every UV (u, v) in [low, 1] x [0, 1] to the point (u, v, 0).
+Mesh strip(float low, bool periodic) {
+  Mesh mesh;
+  mesh.uv = {{low, 0}, {1, 0}, {1, 1}, {low, 1}};
+  for (const glm::vec2& uv : mesh.uv) mesh.position.push_back({uv, 0});
+  mesh.triangle = {{0, 1, 2}, {0, 2, 3}};
+  mesh.weld = {0, 1, 2, 3};
+  mesh.welded = 4;
+  mesh.periodic_uv = periodic;
+  return mesh;
+}
+
+glm::vec2 centre(int x, int y) {
+  return {(float(x) + 0.5f) / size, (float(y) + 0.5f) / size};
+}
+
+TEST(SurfaceMap, ATexelHoldsThePointUnderItsCentre) {
+  const auto map = surface_map(strip(0, false), size);
+  ASSERT_EQ(map.size(), std::size_t(size * size));
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const glm::vec3 point = map[std::size_t(y) * std::size_t(size) + std::size_t(x)];
+      EXPECT_NEAR(point.x, centre(x, y).x, 1e-6f);
+      EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f);
+    }
+}
+
+// Texel columns 0 to 7 are outside the triangles. The nearest covered column is column 8. On a periodic map,
+// however, columns 0 to 3 are nearer to column 31 than to column 8.
+TEST(SurfaceMap, TheGutterOfAPeriodicMapWraps) {
+  for (const bool periodic : {false, true}) {
+    const auto map = surface_map(strip(0.25f, periodic), size);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < 8; ++x) {
+        const glm::vec3 point = map[std::size_t(y) * std::size_t(size) + std::size_t(x)];
+        EXPECT_NEAR(point.x, centre(periodic && x < 4 ? 31 : 8, y).x, 1e-6f)
+            << x << ' ' << y << ' ' << periodic;
+        EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f) << x << ' ' << y << ' ' << periodic;
+      }
+  }
 }
 
 }  // namespace

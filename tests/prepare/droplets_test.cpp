@@ -1,17 +1,16 @@
 #include "harness/prepare/droplets.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/water.hpp"
 #include "tests/prepare/meshes.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
@@ -85,14 +84,18 @@ TEST(Droplets, EvenlyOverTheSurface) {
   EXPECT_NEAR(double(left) / double(drops.size()), 0.5, 0.05);
 }
 
-TEST(Droplets, EvenlyOverOneTriangle) {
+std::shared_ptr<Mesh> mesh_of(std::vector<glm::vec3> position, std::vector<glm::vec2> uv,
+                              std::vector<glm::uvec3> triangle) {
   auto mesh = std::make_shared<Mesh>();
-  mesh->position = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}};
-  mesh->uv = {{0, 0}, {1, 0}, {0, 1}};
-  mesh->weld = {0, 1, 2};
-  mesh->welded = 3;
-  mesh->triangle = {{0, 1, 2}};
-  mesh->length_per_uv = {1, 1};
+  mesh->position = std::move(position);
+  mesh->uv = std::move(uv);
+  mesh->triangle = std::move(triangle);
+  for (std::size_t i = 0; i < mesh->position.size(); ++i) mesh->weld.push_back(mesh->welded++);
+  return mesh;
+}
+
+TEST(Droplets, EvenlyOverOneTriangle) {
+  const auto mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
   WetnessScene wetness = rain();
   wetness.spacing = 0;
   wetness.patch_cover = 1;
@@ -108,13 +111,8 @@ TEST(Droplets, EvenlyOverOneTriangle) {
 }
 
 TEST(Droplets, LieInTheLettersOfAText) {
-  auto mesh = std::make_shared<Mesh>();
-  mesh->position = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  mesh->uv = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  mesh->weld = {0, 1, 2, 3};
-  mesh->welded = 4;
-  mesh->triangle = {{0, 1, 2}, {0, 2, 3}};
-  mesh->length_per_uv = {1, 1};
+  const auto mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                            {{0, 1, 2}, {0, 2, 3}});
   WetnessScene wetness = rain();
   wetness.spacing = 0.5f;
   wetness.text = "H";
@@ -201,31 +199,23 @@ TEST(Droplets, PatchesCoverTheirShareAndFadeAtTheirBorders) {
   EXPECT_GT(full, 200);
 }
 
-class Image : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("pelage-droplets-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
-};
-
-TEST_F(Image, DropletsFallWhereItIsBright) {
+TEST(Image, DropletsFallWhereItIsBright) {
+  const test::Folder folder;
   Picture mask{8, 8, std::vector<glm::vec4>(64, glm::vec4(0, 0, 0, 1))};
   for (int y = 0; y < 4; ++y)  // the upper half of the picture covers v > 0.5
     for (int x = 0; x < 8; ++x) mask.at(x, y) = glm::vec4(1);
   WetnessScene wetness = rain();
-  wetness.image = folder_ / "mask.png";
+  wetness.image = folder.path / "mask.png";
   write_picture(wetness.image, mask);
   const auto drops = droplets_of(wetness);
   ASSERT_GT(drops.size(), 100u);
   for (const Droplet& d : drops) EXPECT_GE(d.centre.y, 0.5f);
 }
 
-TEST_F(Image, MissingMaskIsRefused) {
+TEST(Image, MissingMaskIsRefused) {
+  const test::Folder folder;
   WetnessScene wetness = rain();
-  wetness.image = folder_ / "nowhere.png";
+  wetness.image = folder.path / "nowhere.png";
   EXPECT_THROW(droplets_of(wetness), InputError);
 }
 

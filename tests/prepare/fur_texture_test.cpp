@@ -2,30 +2,57 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "harness/prepare/fur_strands.hpp"
+#include "harness/hash.hpp"
 #include "harness/prepare/random.hpp"
 
 namespace pelage {
 namespace {
 
-/// FNV-1a.
-std::uint64_t hash(const FurTexture& texture) {
-  std::uint64_t h = 0xcbf29ce484222325u;
-  for (const auto& level : texture.level)
-    for (const auto& texel : level)
-      for (const std::uint8_t byte : texel) h = (h ^ byte) * 0x100000001b3u;
-  return h;
+std::string hash(const FurTexture& texture) {
+  Hash sum;
+  for (const auto& level : texture.level) sum.values(level);
+  return sum.hex();
 }
 
 double coverage(const FurTexture& t, int level, int layer, int x, int y) {
   const auto side = std::size_t(t.size >> level);
   const std::size_t i = (std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x);
   return t.level[std::size_t(level)][i][0] / 255.0;
+}
+
+/// Returns the mean of coverage() over a slice.
+double mean_coverage(const FurTexture& t, int level, int layer) {
+  const int side = t.size >> level;
+  double sum = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) sum += coverage(t, level, layer, x, y);
+  return sum / side / side;
+}
+
+/// Returns fur of guard hairs without undercoat and locks. make_fur_texture() computes coverages for 16
+/// layers and converts them for other numbers of layers, so the texture contains the unconverted coverages.
+FurScene guard_hairs(int strands) {
+  FurScene fur;
+  fur.layers = 16;
+  fur.strands = strands;
+  fur.undercoat = 0;
+  fur.locks = 0;
+  return fur;
+}
+
+/// Returns one such hair, whose radius in texels is the same from root to tip.
+FurScene cylinder(float radius) {
+  FurScene fur = guard_hairs(1);
+  fur.radius = radius;
+  fur.least_length = 1;
+  fur.tip_radius = 1;
+  return fur;
 }
 
 double shade(const FurTexture& t, int layer, int x, int y) {
@@ -84,25 +111,6 @@ Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   return {sum.light / weight, sum.opacity / weight};
 }
 
-TEST(Random, IsTheSameEverywhere) {
-  const Random random(1, 2);
-  EXPECT_EQ(random.bits(0), Random(1, 2).bits(0));
-  EXPECT_NE(random.bits(0), random.bits(1));
-  EXPECT_NE(random.bits(0, 0), random.bits(0, 1));
-  EXPECT_NE(random.bits(0), Random(2, 2).bits(0));
-  EXPECT_NE(random.bits(0), Random(1, 3).bits(0));
-  double sum = 0, square = 0;
-  for (std::uint64_t i = 0; i < 100000; ++i) {
-    const double u = random.uniform(i);
-    ASSERT_GE(u, 0.0);
-    ASSERT_LT(u, 1.0);
-    sum += u;
-    square += u * u;
-  }
-  EXPECT_NEAR(sum / 1e5, 0.5, 0.005);
-  EXPECT_NEAR(square / 1e5, 1.0 / 3.0, 0.005);
-}
-
 TEST(FurTexture, SameSceneSameBytes) {
   FurScene fur;
   fur.layers = 8;
@@ -110,7 +118,7 @@ TEST(FurTexture, SameSceneSameBytes) {
   fur.strands = 300;
   fur.undercoat = 200;
   fur.locks = 40;
-  const std::uint64_t first = hash(make_fur_texture(fur));
+  const std::string first = hash(make_fur_texture(fur));
   EXPECT_EQ(first, hash(make_fur_texture(fur)));
   fur.seed = 2;
   EXPECT_NE(first, hash(make_fur_texture(fur)));
@@ -130,36 +138,20 @@ TEST(FurTexture, MipLevelsKeepTheCoverage) {
   FurScene fur;
   fur.layers = 16;
   const FurTexture t = make_fur_texture(fur);
-  for (const int n : {0, 7, 12}) {
-    double mean[2] = {0, 0};
-    for (const int level : {0, 3}) {
-      const int side = t.size >> level;
-      for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) mean[level / 3] += coverage(t, level, n, x, y) / side / side;
-    }
-    EXPECT_NEAR(mean[1], mean[0], 0.002) << "layer " << n;
-  }
+  for (const int n : {0, 7, 12})
+    EXPECT_NEAR(mean_coverage(t, 3, n), mean_coverage(t, 0, n), 0.002) << "layer " << n;
 }
 
 /// In a slice, a strand is a disc. If the disc crosses the border of the square texture, it must continue at
 /// the opposite border. The area of the disc then does not depend on its position.
 TEST(FurTexture, WrapsAround) {
-  FurScene fur;
-  fur.layers = 16;  // coverages are computed for 16 layers, and converted for any other number
-  fur.strands = 1;
-  fur.undercoat = 0;
-  fur.locks = 0;
-  fur.radius = 40;
-  fur.least_length = 1;
-  fur.tip_radius = 1;
+  FurScene fur = cylinder(40);
   int cut = 0;
   for (std::uint32_t seed = 0; seed < 24; ++seed) {
     fur.seed = seed;
     const FurStrand strand = grow_strands(fur).front();
     const FurTexture t = make_fur_texture(fur);
-    double area = 0;
-    for (int y = 0; y < t.size; ++y)
-      for (int x = 0; x < t.size; ++x) area += coverage(t, 0, 3, x, y);
+    const double area = mean_coverage(t, 0, 3) * t.size * t.size;
     const double r = strand.radius * t.size;
     EXPECT_NEAR(area, std::numbers::pi * r * r, 0.01 * area) << "seed " << seed;
     const auto [x, y] = std::pair(strand.root.x * t.size, strand.root.y * t.size);
@@ -196,15 +188,8 @@ TEST(FurTexture, SixteenAndSixtyFourLayersAreAsBrightFromAllSides) {
 /// The cross-section of a blade is an ellipse. The area of the ellipse is proportional to fur.width, and its
 /// longer axis is perpendicular to the bend.
 TEST(FurTexture, BladesAreWideAcrossTheirBend) {
-  FurScene fur;
-  fur.layers = 16;
-  fur.strands = 1;
-  fur.undercoat = 0;
-  fur.locks = 0;
-  fur.radius = 12;
+  FurScene fur = cylinder(12);
   fur.width = 3;
-  fur.least_length = 1;
-  fur.tip_radius = 1;
   const FurStrand blade = grow_strands(fur).front();
   EXPECT_NEAR(glm::length(blade.across), 1.0, 1e-12);
   const FurTexture t = make_fur_texture(fur);
@@ -241,9 +226,7 @@ TEST(FurTexture, ThinsOutFromRootToTip) {
   const FurTexture t = make_fur_texture(fur);
   double before = 1;
   for (int n = 0; n < fur.layers; n += 9) {
-    double mean = 0;
-    for (int y = 0; y < t.size; ++y)
-      for (int x = 0; x < t.size; ++x) mean += coverage(t, 0, n, x, y) / t.size / t.size;
+    const double mean = mean_coverage(t, 0, n);
     EXPECT_LT(mean, before) << "layer " << n;
     before = mean;
   }
@@ -252,12 +235,7 @@ TEST(FurTexture, ThinsOutFromRootToTip) {
 /// A bilinear lookup at the edge of a strand also reads empty texels, so their shade must equal the shade of
 /// the strand.
 TEST(FurTexture, EmptyTexelsBesideAStrandCarryItsShade) {
-  FurScene fur;
-  fur.layers = 16;
-  fur.strands = 40;
-  fur.undercoat = 0;
-  fur.locks = 0;
-  const FurTexture t = make_fur_texture(fur);
+  const FurTexture t = make_fur_texture(guard_hairs(40));
   int tested = 0;
   for (int y = 1; y + 1 < t.size; ++y)
     for (int x = 1; x + 1 < t.size; ++x) {
@@ -278,10 +256,7 @@ TEST(FurTexture, EmptyTexelsBesideAStrandCarryItsShade) {
 }
 
 TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
-  FurScene fur;
-  fur.strands = 400;
-  fur.undercoat = 0;
-  fur.locks = 0;
+  FurScene fur = guard_hairs(400);
   fur.bend = 20;
   fur.bend_exponent = 3;
   fur.bend_spread = 0.5f;
@@ -308,26 +283,21 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
 }
 
 TEST(FurTexture, OfBladesComesInThePapersSizes) {
-  FurScene fur;
   // At all texture sizes the blades are thicker than a texel. A texel stores only the coverage by the blade
   // that covers the largest part of the texel. With thinner blades, several blades could cover parts of one
   // texel, and the covered fraction would depend on the texture size.
-  fur.strands = 110;
-  fur.undercoat = 0;
+  FurScene fur = guard_hairs(110);
+  fur.locks = FurScene{}.locks;
   fur.radius = 4.5f;
   fur.taper = 0.3f;
   fur.bend = 20;
   fur.bend_spread = 0.4f;
-  fur.layers = 16;  // coverages are computed for 16 layers, and converted for any other number
   std::vector<double> opacity;
   for (const int size : {64, 128, 256}) {
     fur.texture = size;
     const FurTexture texture = make_fur_texture(fur);
     ASSERT_EQ(texture.size, size);
-    double sum = 0;
-    for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x) sum += coverage(texture, 0, 2, x, y);
-    opacity.push_back(sum / (size * size));
+    opacity.push_back(mean_coverage(texture, 0, 2));
   }
   // The covered fraction of a slice must not depend on the texture size.
   EXPECT_NEAR(opacity[0], opacity[2], 0.12 * opacity[2]);
@@ -364,6 +334,62 @@ TEST(FurStrands, RootsAreEvenlySpread) {
     ++count[int(p.y * 4) * 4 + int(p.x * 4)];
   }
   for (const int c : count) EXPECT_NEAR(c, 5000 / 16.0, 25);
+}
+
+// A slice of the fur texture represents the slab of fur between this slice and the next lower slice. A strand
+// may end inside the slab and fill only a fraction of its height. The coverage of the strand in the slice
+// must be this fraction.
+TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
+  FurScene fur = cylinder(12);
+  fur.least_length = 0.3f;
+  fur.texture = 64;
+  int partly = 0;
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    fur.seed = seed;
+    const double length = grow_strands(fur).front().length;
+    const FurTexture t = make_fur_texture(fur);
+    for (int n = 0; n < fur.layers; ++n) {
+      double most = 0;
+      for (int y = 0; y < t.size; ++y)
+        for (int x = 0; x < t.size; ++x) most = std::max(most, coverage(t, 0, n, x, y));
+      const double share = std::clamp(length * fur.layers - n, 0.0, 1.0);
+      EXPECT_NEAR(most, share, 0.003) << "seed " << seed << ", layer " << n << ", length " << length;
+      partly += share > 0.1 && share < 0.9;
+    }
+  }
+  EXPECT_GT(partly, 5);
+}
+
+TEST(FurTexture, MipLevelsShadeByCoverage) {
+  FurScene fur = guard_hairs(1500);
+  fur.undercoat = 500;
+  fur.texture = 128;
+  const FurTexture t = make_fur_texture(fur);
+  const auto side = std::size_t(t.size);
+  int tested = 0, uneven = 0;
+  for (std::size_t y = 0; y < side / 2; ++y)
+    for (std::size_t x = 0; x < side / 2; ++x) {
+      double sum = 0, weighted = 0, plain = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& texel = t.level[0][(2 * y + k / 2) * side + 2 * x + k % 2];
+        sum += texel[0];
+        weighted += double(texel[0]) * texel[1];
+        plain += 0.25 * texel[1];
+      }
+      // The test skips texels with a small sum of the coverages, because the rounding errors of the coverages
+      // would change the weighted mean too much.
+      if (sum < 100) continue;
+      const double expected = weighted / sum;
+      // The tolerance covers the sum of three rounding errors: the error of the shade in level 1 (0.5), the
+      // error of the shades in level 0 (0.5), and the error of the coverages in level 0.
+      EXPECT_NEAR(t.level[1][y * side / 2 + x][1], expected, 2.5) << x << ' ' << y;
+      ++tested;
+      uneven += std::abs(expected - plain) > 6;
+    }
+  EXPECT_GT(tested, 100);
+  // `uneven` counts the texels where the coverage-weighted mean of the shades differs clearly from the
+  // unweighted mean. Only these texels show that the mip levels use the weights.
+  EXPECT_GT(uneven, 10);
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/write_ply.hpp"
-#include "harness/prepare/contact.hpp"
+#include "harness/picture/image_io.hpp"
+#include "harness/prepare/picture_map.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/style_scenes.hpp"
@@ -17,10 +19,7 @@ namespace {
 
 using namespace style_scenes;
 
-template <class Call>
-std::string refusal(const Call& call) {
-  return test::refusal([&] { call(); }, "");
-}
+using test::refusal;
 
 TEST(Style, HasOneValuePerTriangleOrPoint) {
   const test::Folder folder;
@@ -82,6 +81,38 @@ TEST(ContactField, RefusesAnOpenMesh) {
   EXPECT_NE(message.find("open.ply"), std::string::npos) << message;
   scene.file = folder.path / "missing.ply";
   EXPECT_NE(refusal([&] { contact_field(scene); }).find("contact.mesh"), std::string::npos);
+}
+
+/// Reads a picture of 2 x 2 pixels, written as EXR, whose values are not rounded.
+PictureMap map_of_file(const Picture& picture) {
+  const test::Folder folder;
+  write_picture(folder.path / "map.exr", picture);
+  return PictureMap(folder.path / "map.exr");
+}
+
+Picture four(float top_left, float top_right, float bottom_left, float bottom_right) {
+  Picture picture{2, 2, {}};
+  for (const float value : {top_left, top_right, bottom_left, bottom_right})
+    picture.pixel.emplace_back(value, 2 * value, 3 * value, 1);
+  return picture;
+}
+
+TEST(PictureMap, InterpolatesBetweenPixelCentresWithTheTopRowAtVOfOne) {
+  const PictureMap map = map_of_file(four(0.1f, 0.2f, 0.3f, 0.4f));
+  EXPECT_EQ(map.width(), 2);
+  EXPECT_EQ(map.height(), 2);
+  EXPECT_FLOAT_EQ(map.at({0.25, 0.75}).x, 0.1f);
+  EXPECT_FLOAT_EQ(map.at({0.75, 0.75}).x, 0.2f);
+  EXPECT_FLOAT_EQ(map.at({0.25, 0.25}).y, 0.6f);
+  EXPECT_FLOAT_EQ(map.at({0.75, 0.25}).z, 1.2f);
+  EXPECT_FLOAT_EQ(map.at({0.5, 0.5}).x, 0.25f);
+  EXPECT_FLOAT_EQ(map.at({0.5, 0.75}).x, 0.15f);
+  EXPECT_FLOAT_EQ(map.at({-3, 5}).x, 0.1f);  // outside the unit square
+  EXPECT_FLOAT_EQ(map.at({7, -1}).x, 0.4f);
+}
+
+TEST(PictureMap, RefusesNegativeValues) {
+  EXPECT_THROW(map_of_file(four(0.1f, -0.2f, 0.3f, 0.4f)), InputError);
 }
 
 }  // namespace

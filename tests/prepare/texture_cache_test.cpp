@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/prepare/coat.hpp"

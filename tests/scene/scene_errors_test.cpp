@@ -201,7 +201,6 @@ TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {
 
 // toml++ crashes on keys of several hundred thousand parts, so pelage must refuse such keys.
 TEST(SceneErrors, DeepKeysAreRefusedWhereverTheyStand) {
-  const auto refusal = [](const auto& read) -> std::string { return test::refusal([&] { read(); }); };
   std::string dotted = "a";
   for (int i = 1; i < 400'000; ++i) dotted += ".a";
   const std::string table = "{" + dotted + " = 1}";
@@ -209,14 +208,14 @@ TEST(SceneErrors, DeepKeysAreRefusedWhereverTheyStand) {
   Scene scene;
   for (const std::string& value : {table, "[1,\n" + table + "]", "['''a'''', " + table + "]",
                                    "[\"'\", " + table + "]", "[\"\"\"\n.\"\"\", " + table + "]"}) {
-    EXPECT_NE(refusal([&] { parse_scene("fur = " + value, "s"); }).find(expected), std::string::npos);
-    EXPECT_NE(refusal([&] { apply_set(scene, "shading.light = " + value); }).find(expected),
+    EXPECT_NE(test::refusal([&] { parse_scene("fur = " + value, "s"); }).find(expected), std::string::npos);
+    EXPECT_NE(test::refusal([&] { apply_set(scene, "shading.light = " + value); }).find(expected),
               std::string::npos);
   }
   std::string nested;
   for (int i = 0; i < 200; ++i) nested += "{a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = ";
   nested += "1" + std::string(200, '}');
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(test::refusal([&] {
               parse_scene("fur = " + nested, "s");
             }).find("the key and the keys that enclose it have 81 parts separated by dots; the limit is 64"),
             std::string::npos);

@@ -2,7 +2,6 @@
 // between the bounds.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -14,6 +13,7 @@
 #include "harness/error.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
@@ -173,14 +173,13 @@ intensity = 1
 }
 
 TEST(SceneRoundTrip, PathsAreRelativeToTheFile) {
-  const fs::path folder = fs::temp_directory_path() / "pelage-scene-paths";
-  fs::create_directories(folder);
+  const test::Folder temporary;
+  const fs::path& folder = temporary.path;
   std::ofstream(folder / "s.toml") << "model = 'meshes/a.obj'\ncoat.image = '../coat.png'\n";
   const Scene scene = read_scene(folder / "s.toml");
   EXPECT_EQ(scene.model, (folder / "meshes/a.obj").string());
   EXPECT_EQ(scene.coat.image, folder.parent_path() / "coat.png");
   EXPECT_EQ(scene.wetness.image, fs::path());
-  fs::remove_all(folder);
 }
 
 TEST(SceneRoundTrip, TheHashFollowsTheValuesAndNotTheFolder) {
@@ -198,20 +197,14 @@ TEST(SceneRoundTrip, TheHashFollowsTheValuesAndNotTheFolder) {
     EXPECT_EQ(scene_hash(scene) == scene_hash(plain), name == "pipeline") << name;
   }
 
-  const fs::path a = fs::temp_directory_path() / "pelage-hash-a",
-                 b = fs::temp_directory_path() / "pelage-hash-b";
-  for (const fs::path& folder : {a, b}) {
-    fs::create_directories(folder);
-    std::ofstream(folder / "coat.png") << "the same bytes";
-  }
+  const test::Folder a, b;
   Scene here, there;
-  here.coat.image = a / "coat.png";
-  there.coat.image = b / "coat.png";
+  here.coat.image = a.path / "coat.png";
+  there.coat.image = b.path / "coat.png";
+  for (const fs::path& file : {here.coat.image, there.coat.image}) std::ofstream(file) << "the same bytes";
   EXPECT_EQ(scene_hash(here), scene_hash(there));
-  std::ofstream(b / "coat.png") << "other bytes";
+  std::ofstream(there.coat.image) << "other bytes";
   EXPECT_NE(scene_hash(here), scene_hash(there));
-  fs::remove_all(a);
-  fs::remove_all(b);
 }
 
 TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
@@ -230,8 +223,7 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
 /// in "struct FurScene" gives "fur.length".
 std::vector<std::string> members() {
   std::stringstream file;
-  for (const char* name :
-       {"harness/scene/scene.hpp", "harness/scene/contact_scene.hpp", "harness/scene/strands_scene.hpp"})
+  for (const char* name : {"harness/scene/scene.hpp", "harness/scene/strands_scene.hpp"})
     file << std::ifstream(fs::path(PELAGE_SOURCE_DIR) / name).rdbuf();
   const std::map<std::string, std::string> tables{{"FurScene", "fur."},
                                                   {"CurlScene", "curl."},
@@ -291,6 +283,33 @@ TEST(SceneRoundTrip, EveryExampleReads) {
     }
   }
   EXPECT_GT(count, 0);
+}
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+TEST(ChangedKeys, AreThoseThatDifferFromTheDefaults) {
+  EXPECT_EQ(changed_keys(Scene{}), Pairs{});
+  const Scene scene = parse_scene("[fur]\nlength = 0.25\n[wetness]\nrandom = 40\n", "a.toml");
+  EXPECT_EQ(changed_keys(scene), (Pairs{{"fur.length", "0.25"}, {"wetness.random", "40"}}));
+}
+
+// The option --anonymous promises that results contain no paths.
+TEST(ChangedKeys, ContainNoFolders) {
+  EXPECT_EQ(changed_keys(parse_scene("model = \"secret/horse.obj\"\n", "a.toml", "/secret")),
+            (Pairs{{"model", "\"horse.obj\""}}));
+}
+
+TEST(ChangedKeys, ContainListsAndKeyframesAndShortenLongLists) {
+  std::string text = "[keyframes]\n\"fur.length\" = [[0.0, 0.1], [1.0, 0.2]]\n";
+  for (int i = 0; i < 2; ++i) text += "[[wetness.droplet]]\nuv = [0.5, 0.5]\nradius = 0.1\n";
+  const Pairs few = changed_keys(parse_scene(text, "a.toml"));
+  ASSERT_EQ(few.size(), 2U);
+  EXPECT_EQ(few[0].first, "wetness.droplet");
+  EXPECT_EQ(few[0].second.rfind("[{ ", 0), 0U) << few[0].second;
+  EXPECT_EQ(few[1],
+            std::pair(std::string("keyframes.\"fur.length\""), std::string("[[0.0, 0.1], [1.0, 0.2]]")));
+  for (int i = 0; i < 100; ++i) text += "[[wetness.droplet]]\nuv = [0.5, 0.5]\nradius = 0.1\n";
+  EXPECT_NE(changed_keys(parse_scene(text, "a.toml"))[0].second.find(" characters"), std::string::npos);
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 // The scenes on which tests compare the picture of a pipeline with the reference, and the reference's
 // pictures of these scenes.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/prepare/frame_input.hpp"
@@ -35,5 +39,24 @@ bool same_bits(const Picture& a, const Picture& b);
 /// pixel, and the number of fur pixels. A pixel is flipped if it differs from the reference by more than
 /// tolerance::flip (2/255) in some channel.
 std::string describe(const Agreement& agreement);
+
+/// Whether two pictures count as equal (within()), and have more than `least_pixels` fur pixels. The message
+/// and the recorded property "agreement" describe the differences.
+testing::AssertionResult same(const Picture& expected, const Picture& drawn, std::size_t least_pixels = 0);
+
+/// Frames that every pipeline must draw like the reference, with their names. Except for the first list, they
+/// are small_frame("wet") with other values of scene keys.
+using Cases = std::vector<std::pair<std::string, FrameInput>>;
+Cases models_and_bindings();
+/// Where the papers are ambiguous, scene keys select an interpretation. These frames have values other than
+/// the defaults.
+Cases other_readings();
+Cases clump_readings();  ///< clump.scale and shading.tangent
+Cases soaked_fur();
+Cases consistent_borders();
+Cases orders_of_faces();
+Cases other_sizes();
+/// The camera is so near to a square that its triangles cross the near plane and the guard band.
+Cases fur_behind_the_eye();
 
 }  // namespace pelage::pictures

@@ -1,7 +1,6 @@
 // Frame inputs computed by formulas. Tests that use them need no mesh file and no preparation stage.
 #pragma once
 #include <functional>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "harness/prepare/frame_input.hpp"

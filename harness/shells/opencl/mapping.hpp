@@ -1,7 +1,6 @@
 // A mapping assigns the pixels of a frame to the work-items of a device. Each mapping is a class that
 // implements the interface `Mapping`. A tile is a rectangle of pixels.
 #pragma once
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,7 +10,7 @@
 #include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/scene/scene.hpp"
-#include "harness/shells/opencl/build_options.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/raster_buffers.hpp"
 #include "kernels/rasterize/params.h"
 
@@ -41,7 +40,7 @@ class Mapping {
 struct MappingSetup {
   const cl::Device& device;
   const cl::Program& geometry;  ///< program built from rasterize/geometry/geometry.cl
-  std::string options;          ///< the mapping's build options: LANES and tuning axes (build_options.hpp)
+  std::string options;          ///< the mapping's build options: LANES and tuning axes (program_texts.hpp)
 };
 
 struct MappingKind {

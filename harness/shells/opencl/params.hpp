@@ -1,6 +1,6 @@
-// Kernel parameters and tables, computed from a scene. S is Silva et al. 2010, Curling and Clumping Fur. B is
-// Banisch and Wuethrich 2006.
+// Kernel parameters and tables, computed from a scene.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
@@ -24,5 +24,22 @@ std::vector<float> layer_table(const Scene& scene);
 /// Returns the rasterizer's parameters. RasterStage later sets the number of tiles, the number of layers per
 /// pass, and the number of chunks into which it divides the triangles.
 RasterParams raster_params(const FrameInput& input, const Geometry& geometry);
+
+/// Packs the fur texture into one 32-bit word per texel. The bytes of a word, lowest first, are coverage and
+/// shade of texel (x, y), then coverage and shade of texel (x, y + 1). Each row ends with a copy of its first
+/// word. The mip levels are stored one after the other, level 0 first.
+std::vector<std::int32_t> packed_fur(const FurTexture& fur);
+
+/// Packs the coat texture into two 32-bit words per texel. The first word holds red and green of texel (x,
+/// y), then red and green of texel (x, y + 1). The second word holds blue of both texels in bytes 0 and 2. A
+/// border of one texel surrounds the texture. It holds copies of the texels of the opposite side, because the
+/// texture repeats.
+std::vector<std::int32_t> packed_coat(const CoatTexture& coat);
+
+/// Sets the members of `params` that tell the kernels where the arrays of the scene's maps are.
+void place_maps(const FrameInput& input, const Geometry& geometry, RasterParams& params);
+
+/// Returns the layer table, and the arrays of the scene's maps after it, at the places of place_maps().
+std::vector<float> styled_layer_table(const FrameInput& input, const Geometry& geometry);
 
 }  // namespace pelage::shells

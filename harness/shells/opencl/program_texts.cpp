@@ -1,5 +1,7 @@
 #include "harness/shells/opencl/program_texts.hpp"
 
+#include <fmt/format.h>
+
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/opencl/mapping.hpp"
 
@@ -56,6 +58,17 @@ std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const S
   if (wet) texts.push_back(wet_text(scene, lanes));
   texts.push_back(has_springs(scene.dynamics) ? sticks_text(lanes) : simulate_text(scene, lanes));
   return texts;
+}
+
+std::string build_options(int lanes, const Tuning& tuning) {
+  std::string options = fmt::format("-D LANES={}", lanes);
+  for (const auto& [name, value] : tuning) options += fmt::format(" -D {}={}", name, value);
+  return options;
+}
+
+int tuned(const Tuning& tuning, const std::string& axis, int otherwise) {
+  const auto found = tuning.find(axis);
+  return found == tuning.end() ? otherwise : found->second;
 }
 
 }  // namespace pelage::shells

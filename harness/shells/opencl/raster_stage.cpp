@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <future>
-#include <numeric>
 #include <utility>
 
 #include "harness/error.hpp"
-#include "harness/shells/opencl/packed_textures.hpp"
 #include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
-#include "harness/shells/opencl/style_table.hpp"
 
 namespace pelage::shells {
 namespace {
@@ -142,13 +139,10 @@ MappingSetup RasterStage::setup(const cl::Device& device, std::string options) c
 }
 
 void RasterStage::use_mask(const cl::Queue& queue, cl::PhaseEvents* events) {
-  const auto keep = [&](cl::Event event) {
-    if (events) events->emplace_back("wet", std::move(event));
-  };
   if (reach_) reach_->dry(queue, params_, mask_uv_, buffers_, events);
   if (params_.substeps > 1) {
     curls_.with(params_, buffers_.vertex, buffers_.dry, buffers_.layer_table, buffers_.curl);
-    keep(curls_.enqueue_loop(queue, std::size_t(params_.vertices)));
+    cl::keep(events, "wet", curls_.enqueue_loop(queue, std::size_t(params_.vertices)));
   }
   if (reach_) reach_->run(queue, params_, uv_, buffers_, events);
 }
@@ -163,21 +157,17 @@ std::vector<const cl::Program*> RasterStage::programs() const {
 const cl::Buffer<float>& RasterStage::strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands,
                                                   int stride, cl::PhaseEvents* events) {
   strand_tips_.with(params_, slice_, strand_, weight_, strands, std::int32_t(stride), tip_);
-  cl::Event event = strand_tips_.enqueue(queue, std::size_t(params_.vertices / lanes_));
-  if (events) events->emplace_back("transform", std::move(event));
+  cl::keep(events, "transform", strand_tips_.enqueue(queue, std::size_t(params_.vertices / lanes_)));
   return tip_;
 }
 
 void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& tips, cl::PhaseEvents* events) {
-  const auto keep = [&](const char* phase, cl::Event event) {
-    if (events) events->emplace_back(phase, std::move(event));
-  };
   buffers_.tip = &tips;
   records_.with(params_, buffers_.vertex, tips, uv_, buffers_.record);
-  keep("transform", records_.enqueue_loop(queue, std::size_t(params_.vertices)));
+  cl::keep(events, "transform", records_.enqueue_loop(queue, std::size_t(params_.vertices)));
   for (int pass = passes() - 1; pass >= 0; --pass) {
     begin_pass(queue, pass, *mapping_, events);
-    keep("raster", mapping_->draw(queue, params_, buffers_));
+    cl::keep(events, "raster", mapping_->draw(queue, params_, buffers_));
   }
 }
 

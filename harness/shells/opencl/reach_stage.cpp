@@ -41,8 +41,7 @@ ReachStage::ReachStage(const cl::Queue& queue, const cl::ProgramText& text, int 
 void ReachStage::dry(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<float>& mask_uv,
                      RasterBuffers& buffers, cl::PhaseEvents* events) {
   dryness_.with(params, mask_uv, *buffers.mask, buffers.dry);
-  cl::Event event = dryness_.enqueue(queue, std::size_t(params.vertices / lanes_));
-  if (events) events->emplace_back("wet", std::move(event));
+  cl::keep(events, "wet", dryness_.enqueue(queue, std::size_t(params.vertices / lanes_)));
 }
 
 void ReachStage::run(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<float>& uv,
@@ -50,8 +49,7 @@ void ReachStage::run(const cl::Queue& queue, const RasterParams& params, const c
   const cl::Buffer<float>&layer_table = buffers.layer_table, &mask = *buffers.mask;
   cl::Buffer<std::int32_t>& corner = buffers.corner;
   const auto launch = [&](cl::Kernel& kernel, int count) {
-    cl::Event event = kernel.enqueue_loop(queue, std::size_t(count));
-    if (events) events->emplace_back("wet", std::move(event));
+    cl::keep(events, "wet", kernel.enqueue_loop(queue, std::size_t(count)));
   };
   if (depends_on_view()) {
     repeats_.with(params, mask, repeat_);

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <optional>
 
-#include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/raster_stage.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/opencl/spring_stage.hpp"
@@ -55,6 +54,16 @@ struct Shells::State {
         springs ? springs->tips(queue, raster.params(), raster.vertex(), events)
                 : raster.strand_tips(queue, simulate->state(), simulate->stride(), events);
     raster.frame(queue, tips, events);
+  }
+
+  /// Returns three columns of the state of Silva's strands.
+  std::vector<glm::vec3> columns(std::size_t x, std::size_t y, std::size_t z) const {
+    const std::vector<float> values = simulate->state().read(queue);
+    const auto stride = std::size_t(simulate->stride());
+    std::vector<glm::vec3> vectors(input->strands.root.size());
+    for (std::size_t f = 0; f < vectors.size(); ++f)
+      vectors[f] = {values[x * stride + f], values[y * stride + f], values[z * stride + f]};
+    return vectors;
   }
 
   std::vector<const cl::Program*> programs() const {
@@ -165,24 +174,12 @@ std::vector<glm::vec4> Shells::mask() const {
 }
 
 std::vector<glm::vec3> Shells::tips() const {
-  if (state_->springs) return state_->springs->offsets(state_->queue);
-  const std::vector<float> values = state_->simulate->state().read(state_->queue);
-  const auto stride = std::size_t(state_->simulate->stride());
-  std::vector<glm::vec3> tips(state_->input->strands.root.size());
-  for (std::size_t f = 0; f < tips.size(); ++f)
-    tips[f] = {values[TIP_X * stride + f], values[TIP_Y * stride + f], values[TIP_Z * stride + f]};
-  return tips;
+  return state_->springs ? state_->springs->offsets(state_->queue) : state_->columns(TIP_X, TIP_Y, TIP_Z);
 }
 
 std::vector<glm::vec3> Shells::velocities() const {
-  if (state_->springs) return state_->springs->speeds(state_->queue);
-  const std::vector<float> values = state_->simulate->state().read(state_->queue);
-  const auto stride = std::size_t(state_->simulate->stride());
-  std::vector<glm::vec3> velocities(state_->input->strands.root.size());
-  for (std::size_t f = 0; f < velocities.size(); ++f)
-    velocities[f] = {values[SPEED_X * stride + f], values[SPEED_Y * stride + f],
-                     values[SPEED_Z * stride + f]};
-  return velocities;
+  return state_->springs ? state_->springs->speeds(state_->queue)
+                         : state_->columns(SPEED_X, SPEED_Y, SPEED_Z);
 }
 
 }  // namespace pelage

@@ -14,7 +14,7 @@
 
 namespace pelage {
 
-/// Returns the names of all mappings. A mapping is a way to assign the pixels of a frame to work-items.
+/// Returns the names of all mappings.
 const std::vector<std::string>& mappings();
 /// Returns "name: description; ..." of all mappings, for --help.
 std::string mappings_help();
@@ -57,7 +57,7 @@ bool is_view_key(std::string_view key);
 /// A scene on an OpenCL device. The constructor uploads the scene, builds the kernels and computes the
 /// wetness mask of the picture at the time dynamics.time. frame() advances the strands by
 /// scene.dynamics.substeps substeps and draws one picture. read() copies the picture to the host. Lengths are
-/// in R, the radius of the mesh's bounding sphere. Velocities are in R per second.
+/// in R. Velocities are in R per second.
 class Shells {
  public:
   Shells(const cl::Device& device, std::shared_ptr<const FrameInput> input, const ShellOptions& options = {});

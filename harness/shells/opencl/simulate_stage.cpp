@@ -1,7 +1,5 @@
 #include "harness/shells/opencl/simulate_stage.hpp"
 
-#include <algorithm>
-
 #include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 
@@ -43,8 +41,7 @@ void SimulateStage::frame(const cl::Queue& queue, int number, cl::PhaseEvents* e
   } else {
     step_.with(params_, gusts_, constants_, state_);
   }
-  cl::Event event = step_.enqueue(queue, std::size_t(params_.stride / lanes_), group_);
-  if (events) events->emplace_back("simulate", std::move(event));
+  cl::keep(events, "simulate", step_.enqueue(queue, std::size_t(params_.stride / lanes_), group_));
 }
 
 }  // namespace pelage::shells

@@ -1,18 +1,17 @@
-// The stage that simulates the strands of Silva et al. 2010 (Curling and Clumping Fur).
+// The stage that simulates the strands of S.
 #pragma once
 #include <optional>
 
 #include "harness/cl/phases.hpp"
 #include "harness/prepare/frame_input.hpp"
-#include "harness/shells/opencl/build_options.hpp"
 #include "harness/shells/opencl/contact_stage.hpp"
 #include "harness/shells/opencl/geometry.hpp"
+#include "harness/shells/opencl/program_texts.hpp"
 #include "kernels/simulate/params.h"
 
 namespace pelage::shells {
 
-/// Simulates all strands. Eq. 2 of Silva et al. 2010 (Curling and Clumping Fur) moves the tips, and Eq. 3
-/// limits their positions.
+/// Simulates all strands. Eq. 2 of S moves the tips, and Eq. 3 limits their positions.
 class SimulateStage {
  public:
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,

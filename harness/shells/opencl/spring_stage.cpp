@@ -55,8 +55,7 @@ void SpringStage::frame(const cl::Queue& queue, cl::PhaseEvents* events) {
 const cl::Buffer<float>& SpringStage::tips(const cl::Queue& queue, const RasterParams& params,
                                            const cl::Buffer<float>& vertex, cl::PhaseEvents* events) {
   tips_.with(params, level_, stick_, masses_.offset(), vertex, tip_);
-  cl::Event event = tips_.enqueue(queue, std::size_t(params.vertices / lanes_));
-  if (events) events->emplace_back("transform", std::move(event));
+  cl::keep(events, "transform", tips_.enqueue(queue, std::size_t(params.vertices / lanes_)));
   return tip_;
 }
 

@@ -15,8 +15,7 @@
 
 namespace pelage::shells {
 
-/// Simulates a mass-spring topology on the device. Lengths are in R, the radius of the mesh's bounding
-/// sphere. Velocities are in R per second.
+/// Simulates a mass-spring topology on the device. Lengths are in R. Velocities are in R per second.
 class SpringStage {
  public:
   SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);

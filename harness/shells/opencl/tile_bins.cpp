@@ -16,9 +16,7 @@ TileBins::TileBins(const cl::Program& geometry)
 
 void TileBins::make(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
                     cl::PhaseEvents* events) {
-  const auto keep = [&](cl::Event event) {
-    if (events) events->emplace_back("bin", std::move(event));
-  };
+  const auto keep = [&](cl::Event event) { cl::keep(events, "bin", std::move(event)); };
   const auto chunks = std::size_t(p.chunks);
   const std::size_t tiles = std::size_t(p.tiles_x) * std::size_t(p.tiles_y);
   if (length_.size() == 0) {

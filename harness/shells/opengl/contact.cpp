@@ -1,11 +1,10 @@
-#include "harness/shells/opengl/contact.hpp"
-
 #include <fmt/format.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include "harness/gl/context.hpp"
+#include "harness/shells/opengl/program.hpp"
 
 namespace pelage::rivals {
 namespace {

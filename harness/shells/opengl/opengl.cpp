@@ -1,6 +1,5 @@
-// Draws a frame in OpenGL as in section 4 of Silva et al. 2010, Curling and Clumping Fur: first the base
-// surface with depth writes, then the layers from the innermost to the outermost. Layers are blended, and
-// depth-tested against the base surface.
+// Draws a frame in OpenGL as in section 4 of S: first the base surface with depth writes, then the layers
+// from the innermost to the outermost. Layers are blended, and depth-tested against the base surface.
 #include "harness/shells/opengl/opengl.hpp"
 
 #include <fmt/format.h>
@@ -17,10 +16,7 @@
 #include "harness/gl/target.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
-#include "harness/shells/opengl/contact.hpp"
-#include "harness/shells/opengl/facing.hpp"
 #include "harness/shells/opengl/program.hpp"
-#include "harness/shells/opengl/seen.hpp"
 #include "harness/shells/opengl/textures.hpp"
 #include "harness/shells/opengl/vertices.hpp"
 

@@ -1,6 +1,6 @@
-// The OpenGL baseline. It is the pipeline of section 4 of Silva et al. 2010, Curling and Clumping Fur. This
-// pipeline draws the mesh once per layer with a vertex shader and a fragment shader. It runs on a GPU, or on
-// the CPU with Mesa's llvmpipe. docs/baselines.md describes the baseline.
+// The OpenGL baseline. It is the pipeline of section 4 of S. This pipeline draws the mesh once per layer with
+// a vertex shader and a fragment shader. It runs on a GPU, or on the CPU with Mesa's llvmpipe.
+// docs/baselines.md describes the baseline.
 #pragma once
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

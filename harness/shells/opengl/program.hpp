@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/gl/objects.hpp"
 #include "harness/gl/program.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opengl/opengl.hpp"
@@ -32,5 +33,15 @@ std::vector<glm::vec4> layer_table(const Scene& scene);
 /// or link the shaders.
 gl::Program scene_program(const std::string& vertex, const std::string& fragment, const std::string& defines,
                           const std::vector<Constant>& constants);
+
+/// Returns the "#define" lines of the scene's colliders; "" without colliders.
+std::string contact_defines(const FrameInput& input);
+
+/// Returns the distance field of the mesh among the colliders as a 3D texture; one texel without a mesh.
+gl::Object field_texture(const FrameInput& input);
+
+/// Sets the uniforms of shaders/contact.glsl in `program` to the colliders at `time`, in s since the start of
+/// the simulation.
+void set_colliders(GLuint program, const FrameInput& input, double time);
 
 }  // namespace pelage::rivals

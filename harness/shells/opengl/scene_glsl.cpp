@@ -9,7 +9,6 @@
 
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/scene/shading_models.hpp"
-#include "harness/shells/opengl/contact.hpp"
 #include "harness/shells/opengl/program.hpp"
 
 namespace pelage::rivals {

@@ -43,6 +43,18 @@ Texels merged(const Texels& texels, int side, int layers, int depth) {
   return result;
 }
 
+/// Makes a texture of one mip level. `what` is named in the error message.
+gl::Object flat_texture(GLenum format, GLsizei width, GLsizei height, GLenum channels, GLenum type,
+                        const void* texels, GLint filter, const std::string& what) {
+  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureStorage2D(texture.id(), 1, format, width, height);
+  glTextureSubImage2D(texture.id(), 0, 0, 0, width, height, channels, type, texels);
+  repeat(texture.id(), filter, filter);
+  gl::check_gl(("uploading " + what).c_str());
+  return texture;
+}
+
 }  // namespace
 
 gl::Object fur_texture(const FurTexture& fur, const OpenGlOptions& options) {
@@ -65,37 +77,21 @@ gl::Object fur_texture(const FurTexture& fur, const OpenGlOptions& options) {
 }
 
 gl::Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options) {
-  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
-  glTextureStorage2D(texture.id(), 1, format_of(options.texels, true), coat.size, coat.size);
-  glTextureSubImage2D(texture.id(), 0, 0, 0, coat.size, coat.size, GL_RGBA, GL_UNSIGNED_BYTE,
-                      coat.texel.data());
-  repeat(texture.id(), GL_LINEAR, GL_LINEAR);
-  gl::check_gl("uploading the coat");
-  return texture;
+  return flat_texture(format_of(options.texels, true), coat.size, coat.size, GL_RGBA, GL_UNSIGNED_BYTE,
+                      coat.texel.data(), GL_LINEAR, "the coat");
 }
 
 gl::Object mask_texture(const std::vector<glm::vec4>& mask, int size) {
-  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
-  glTextureStorage2D(texture.id(), 1, GL_RGBA32F, size, size);
-  glTextureSubImage2D(texture.id(), 0, 0, 0, size, size, GL_RGBA, GL_FLOAT, mask.data());
-  repeat(texture.id(), GL_NEAREST, GL_NEAREST);
-  gl::check_gl("uploading the wetness mask");
-  return texture;
+  return flat_texture(GL_RGBA32F, size, size, GL_RGBA, GL_FLOAT, mask.data(), GL_NEAREST, "the wetness mask");
 }
 
 gl::Object density_texture(const Style::Density& map) {
-  const std::vector<float> one{1.0f};
+  const float one = 1;
   const bool none = map.value.empty();
-  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const GLsizei width = none ? 1 : map.width, height = none ? 1 : map.height;
-  glTextureStorage2D(texture.id(), 1, GL_R32F, width, height);
-  glTextureSubImage2D(texture.id(), 0, 0, 0, width, height, GL_RED, GL_FLOAT,
-                      none ? one.data() : map.value.data());
-  repeat(texture.id(), GL_LINEAR, GL_LINEAR);
+  gl::Object texture = flat_texture(GL_R32F, none ? 1 : map.width, none ? 1 : map.height, GL_RED, GL_FLOAT,
+                                    none ? &one : map.value.data(), GL_LINEAR, "the map of the density");
   glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl::check_gl("uploading the map of the density");
   return texture;
 }
 
@@ -110,12 +106,8 @@ gl::Object turns_texture(const FrameInput& input) {
       const double angle = 2.0 * std::numbers::pi * turns * h;
       texels.emplace_back(h * std::cos(angle), h * std::sin(angle));
     }
-  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
-  glTextureStorage2D(texture.id(), 1, GL_RG32F, levels, layers);
-  glTextureSubImage2D(texture.id(), 0, 0, 0, levels, layers, GL_RG, GL_FLOAT, texels.data());
-  repeat(texture.id(), GL_NEAREST, GL_NEAREST);
-  gl::check_gl("uploading the angles of the curls");
-  return texture;
+  return flat_texture(GL_RG32F, levels, layers, GL_RG, GL_FLOAT, texels.data(), GL_NEAREST,
+                      "the angles of the curls");
 }
 
 }  // namespace pelage::rivals

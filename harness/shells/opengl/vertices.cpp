@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <numeric>
 
 namespace pelage::rivals {
@@ -23,6 +25,38 @@ float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& 
 /// Returns an entry of a map of `Style`, or 1 if the scene has no such map.
 float share_of(const std::vector<float>& map, std::size_t entry) {
   return map.empty() ? 1.0f : map[entry];
+}
+
+/// A base vertex: homogeneous position in pixels from the image centre, and the rounded position in 1/256
+/// pixel.
+struct Placed {
+  glm::vec3 homogeneous;
+  std::int32_t x = 0, y = 0;
+  bool inside = false;  ///< beyond the near plane and within the guard band
+};
+
+constexpr float guard = 16384;
+
+Placed placed(const Camera& camera, const glm::vec3& p) {
+  // The same operations as in kernels/rasterize/geometry/transform.clh, so that both round equally.
+  const auto affine = [&](const glm::vec4& row) {
+    return std::fma(row.x, p.x, std::fma(row.y, p.y, std::fma(row.z, p.z, row.w)));
+  };
+  Placed v;
+  v.homogeneous = {affine(camera.row_x), affine(camera.row_y), affine(camera.row_w)};
+  const float w = v.homogeneous.z, reach = guard * w;
+  v.inside = w >= camera.near && std::abs(v.homogeneous.x) <= reach && std::abs(v.homogeneous.y) <= reach;
+  if (!v.inside) return v;
+  const float inverse = 1 / w;
+  v.x = std::int32_t(std::rint(v.homogeneous.x * inverse * 256.0f));
+  v.y = std::int32_t(std::rint(v.homogeneous.y * inverse * 256.0f));
+  return v;
+}
+
+bool faces_away(const Placed& a, const Placed& b, const Placed& c) {
+  if (a.inside && b.inside && c.inside)
+    return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y) > 0;
+  return glm::determinant(glm::dmat3(a.homogeneous, b.homogeneous, c.homogeneous)) > 0;
 }
 
 }  // namespace
@@ -87,6 +121,65 @@ std::vector<glm::vec3> Vertices::bent(const std::vector<glm::vec3>& tips) const 
   for (std::size_t i = 0; i < b.size(); ++i)
     b[i] = glm::vec3(mean(i, [&](std::size_t f) { return tips[f]; }));
   return b;
+}
+
+SeenTriangles::SeenTriangles(const std::string& defines, const std::vector<Constant>& constants)
+    : program_(scene_program("shell.vert", "seen.frag", defines, constants)) {}
+
+void SeenTriangles::find(const std::vector<std::uint32_t>& index, const std::vector<glm::vec4>& layers,
+                         const std::vector<std::vector<std::uint32_t>>& sweeps) {
+  const std::size_t triangles = index.size() / 3, count = layers.size() / 3;
+  std::vector<std::uint32_t> seen(triangles * count, 0);
+  const gl::Object flags = gl::make_buffer(seen);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, flags.id());
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_GEQUAL);
+  program_.use();
+  const GLint place = program_.place("layer"), first = program_.place("first");
+  for (std::size_t n = 0; n < count; ++n) {
+    glUniform4fv(place, 3, &layers[3 * n].x);
+    glUniform1ui(first, GLuint(n * triangles));
+    glDrawElements(GL_TRIANGLES, GLsizei(index.size()), GL_UNSIGNED_INT, nullptr);
+  }
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(flags.id(), 0, GLsizeiptr(seen.size() * sizeof(std::uint32_t)), seen.data());
+
+  std::vector<std::uint32_t> elements;
+  parts_.clear();
+  for (const std::vector<std::uint32_t>& sweep : sweeps)
+    for (std::size_t n = 0; n < count; ++n) {
+      SeenPart part{int(n), 0, elements.size()};
+      for (const std::uint32_t t : sweep)
+        if (seen[n * triangles + t])
+          elements.insert(elements.end(), index.begin() + std::ptrdiff_t(3 * t),
+                          index.begin() + std::ptrdiff_t(3 * t + 3));
+      part.corners = GLsizei(elements.size() - part.first);
+      parts_.push_back(part);
+    }
+  if (!elements.empty()) buffer_ = gl::make_buffer(elements);
+}
+
+Facing facing(const Camera& camera, const Mesh& mesh) {
+  std::vector<Placed> place;
+  place.reserve(mesh.position.size());
+  for (const glm::vec3& p : mesh.position) place.push_back(placed(camera, p));
+  Facing found;
+  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
+    const glm::uvec3& t = mesh.triangle[f];
+    (faces_away(place[t.x], place[t.y], place[t.z]) ? found.away : found.towards).push_back(std::uint32_t(f));
+  }
+  return found;
+}
+
+std::vector<std::uint32_t> elements_of(const std::vector<std::uint32_t>& list,
+                                       const std::vector<std::uint32_t>& index) {
+  std::vector<std::uint32_t> elements;
+  elements.reserve(3 * list.size());
+  for (const std::uint32_t f : list)
+    for (std::size_t corner = 0; corner < 3; ++corner) elements.push_back(index[3 * std::size_t(f) + corner]);
+  return elements;
 }
 
 }  // namespace pelage::rivals

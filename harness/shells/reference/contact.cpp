@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <utility>
 
 #include "harness/shells/reference/vector.hpp"
 

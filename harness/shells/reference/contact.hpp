@@ -1,5 +1,4 @@
-// Colliders that push strands and layers (docs/shells.md, section 9), in double precision. Lengths are in R,
-// the radius of the mesh's bounding sphere.
+// Colliders that push strands and layers (docs/shells.md, section 9), in double precision. Lengths are in R.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>

@@ -1,9 +1,8 @@
 // Computes the pixels that a triangle covers: clipping, snapping to 1/256 pixel, exact edge functions
-// (docs/shells.md, section 4).
+// (docs/shells.md, section 4); and the triangles that can be visible in a part of the picture.
 #pragma once
 #include <array>
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -62,5 +61,14 @@ class Raster {
   int width_, height_;
   std::int64_t area_;  ///< twice the signed area
 };
+
+/// Clips the windows to the picture and splits them into windows of at most 64 x 64 pixels. If `windows` is
+/// empty, the function splits the whole picture.
+std::vector<Window> split(const std::vector<Window>& windows, const Camera& camera);
+
+/// Returns the faces that may cover a pixel of the window on some layer, in the mesh's order. For each face,
+/// the function tests a ball that contains the face on all layers, no matter how the strands move. The result
+/// can therefore contain faces that cover no pixel of the window.
+std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& window);
 
 }  // namespace pelage::reference

@@ -1,8 +1,7 @@
-#include "harness/shells/reference/input_check.hpp"
-
 #include <fmt/format.h>
 
 #include "harness/error.hpp"
+#include "harness/shells/reference/reference.hpp"
 
 namespace pelage::reference {
 namespace {

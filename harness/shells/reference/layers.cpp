@@ -1,6 +1,5 @@
 #include "harness/shells/reference/layers.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,7 +1,5 @@
-// Positions of the layers. S is Silva et al. 2010, Curling and Clumping Fur; B is Banisch and Wuethrich 2006,
-// Making Grass and Fur Move. On the strands of S, the positions are computed by S Eq. 1 and 4 and a Bezier
-// curve. On the sticks of a mass-spring topology, the positions are computed by B Eq. 3 and 4. Lengths are in
-// R, the radius of the mesh's bounding sphere.
+// Positions of the layers: on the strands of S by S Eq. 1 and 4 and a Bezier curve, on the sticks of a
+// mass-spring topology by B Eq. 3 and 4. Lengths are in R.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -1,14 +1,14 @@
-// Computes the wetness mask and the clumping of wet fragments (docs/shells.md). S is Silva et al. 2010,
-// Curling and Clumping Fur. W is Silva et al. 2010, Real-Time Rendering of Wet Fur. The mask is computed by
+// Computes the wetness mask and the clumping of wet fragments (docs/shells.md). The mask is computed by
 // Algorithm 1 of S and W. The clumping is computed by S Eq. 5 and S Algorithm 2.
 #pragma once
 #include <glm/vec2.hpp>
-#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
+#include "harness/scene/scene.hpp"
 #include "harness/shells/reference/reference.hpp"
+#include "harness/shells/reference/textures.hpp"
 
 namespace pelage::reference {
 
@@ -102,5 +102,16 @@ struct Displacement {
 };
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
                                 Mutant mutant = Mutant::none);
+
+/// Returns S, the part of fur of the wetness rho (0 to 1) that the film covers, 0 to 1.
+double soaked_share(const SoakedScene& soaked, double rho);
+
+/// Returns the coverage of the film in a layer of the height h: 1 up to soaked.height, and 0 from one layer
+/// above it.
+double film_coverage(const Scene& scene, double h);
+
+/// Adds the film to a sample of the fur. `share`: the part of the surface that the film covers. `coverage`:
+/// the film's coverage in this layer. Returns the part of the new coverage that is film.
+double cover_with_film(FurSample& fur, double share, double coverage);
 
 }  // namespace pelage::reference

@@ -50,4 +50,7 @@ struct Options {
 /// input's arrays do not match.
 Picture render(const FrameInput& input, const Options& options);
 
+/// Throws InputError if the sizes of the input's arrays do not match, or if the options do not fit the input.
+void check_input(const FrameInput& input, const Options& options);
+
 }  // namespace pelage::reference

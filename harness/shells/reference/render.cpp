@@ -1,5 +1,5 @@
 // Draws the base surface and then the layers from the innermost to the outermost (docs/shells.md, sections 5
-// to 7, and section 4 of Silva et al. 2010, Curling and Clumping Fur).
+// to 7, and section 4 of S).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,16 +10,12 @@
 #include "harness/parallel.hpp"
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/reference/coverage.hpp"
-#include "harness/shells/reference/input_check.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "harness/shells/reference/shading.hpp"
-#include "harness/shells/reference/soaked.hpp"
-#include "harness/shells/reference/substeps.hpp"
 #include "harness/shells/reference/textures.hpp"
 #include "harness/shells/reference/vector.hpp"
-#include "harness/shells/reference/visible.hpp"
 
 namespace pelage::reference {
 namespace {

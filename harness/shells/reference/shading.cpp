@@ -31,7 +31,7 @@ double highlight(const glm::dvec3& t, const glm::dvec3& l, const glm::dvec3& e, 
   return std::pow(std::max(0.0, base), p);
 }
 
-/// Returns the diffuse term C_d of Eq. 2 of Silva et al. 2010, Real-Time Rendering of Wet Fur.
+/// Returns the diffuse term C_d of Eq. 2 of W.
 glm::dvec3 lambert(const ShadingScene& shading, const Fragment& f) {
   double sum = double(shading.ambient);
   const double wrap = double(shading.wrap);
@@ -48,7 +48,7 @@ double curling_shadow(const ShadingScene& shading, double h) {
 }
 
 /// Returns the product of the self-shadow factor gamma_occ and the wet-darkening factor gamma_wet (Eq. 5 of
-/// Silva et al. 2010, Real-Time Rendering of Wet Fur).
+/// W).
 double wet_shadow(const ShadingScene& shading, double h, double rho) {
   return (1.0 + double(shading.occlusion) * (h - 1.0)) * (1.0 - double(shading.darkening) * rho);
 }

@@ -1,8 +1,5 @@
-// The colour of a fragment (docs/shells.md, section 6). Papers: S = Curling and Clumping Fur Represented by
-// Texture Layers, W = Real-Time Rendering of Wet Fur (both Silva et al. 2010), B = Making Grass and Fur Move
-// (Banisch and Wuethrich 2006). Lengths are in R, the radius of the mesh's bounding sphere.
+// The colour of a fragment (docs/shells.md, section 6). Lengths are in R.
 #pragma once
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "harness/scene/scene.hpp"

@@ -1,5 +1,5 @@
-// The strand model of section 3.2.1 of S (Silva et al. 2010, Curling and Clumping Fur). Each triangle has one
-// strand, which is a mass on a spring. Lengths are in R, the radius of the mesh's bounding sphere.
+// The strand model of section 3.2.1 of S. Each triangle has one strand, which is a mass on a spring. Lengths
+// are in R.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "harness/compare/masses.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/error.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/turns.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/compare/masses.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/springs/baselines/arrays.hpp"
 #include "harness/springs/studies/base.hpp"

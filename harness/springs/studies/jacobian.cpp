@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/compare/masses.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/springs/studies/base.hpp"

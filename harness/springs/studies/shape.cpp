@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "harness/compare/masses.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/error.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/springs/studies/base.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <thread>
 
-#include "harness/compare/masses.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"

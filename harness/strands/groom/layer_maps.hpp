@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"
-#include "harness/prepare/luma_map.hpp"
 #include "harness/prepare/picture_map.hpp"
 #include "harness/scene/strands_scene.hpp"
 #include "harness/strands/groom/roots.hpp"

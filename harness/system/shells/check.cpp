@@ -2,8 +2,7 @@
 // the first one.
 #include <fmt/format.h>
 
-#include "harness/compare/masks.hpp"
-#include "harness/compare/tips.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/hash.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/shells/opencl/shells.hpp"

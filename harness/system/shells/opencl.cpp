@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "harness/cl/build_ahead.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/shares.hpp"
-#include "harness/compare/sticks.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/shells.hpp"

@@ -1,11 +1,9 @@
 // Counts how many triangles the device draws at each pixel. The counting uses only the public interface of
 // the class Shells.
 #pragma once
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <string>
 #include <vector>
 
 #include "harness/shells/opencl/shells.hpp"

@@ -1,14 +1,14 @@
-// A mapping is a way to assign pixels to work-items. This file tests that the mapping `group` covers the same
-// pixels as the mapping `tile`, and that it draws the same picture in every run. picture_test.cpp compares
+// Tests that the mapping `group` covers the same pixels as the mapping `tile`, that it draws the same picture
+// in every run, and that pictures drawn in several passes do not change. picture_test.cpp compares
 // the pictures of `group` with the reference. properties_coverage_test.cpp compares the coverage of `group`
 // with exact integer computations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "harness/error.hpp"
+#include "harness/shells/opencl/shells.hpp"
 #include "tests/shells/opencl/coverage_scene.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
@@ -18,8 +18,9 @@ namespace {
 
 using namespace pictures;
 
-std::shared_ptr<const FrameInput> tiny_frame() {
+std::shared_ptr<const FrameInput> tiny_frame(const char* faces = "back-then-front") {
   Scene scene = synthetic::lively_scene();
+  scene.blend.faces = faces;
   scene.shading.model = "wet";
   scene.image.width = 61;
   scene.image.height = 45;
@@ -64,10 +65,6 @@ TEST(Group, TwentyRunsAreOnePicture) {
     shells.frame();
     return shells.read();
   };
-  const auto same_bits = [](const Picture& a, const Picture& b) {
-    return a.pixel.size() == b.pixel.size() &&
-           std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof(a.pixel[0])) == 0;
-  };
   const Picture first = drawn({});
   EXPECT_GT(std::count_if(first.pixel.begin(), first.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),
             500);
@@ -106,6 +103,79 @@ TEST(Group, IsWhatDevicesOfOneLaneDrawWith) {
   EXPECT_EQ(offered_mapping("", gpu), "group");
   EXPECT_EQ(offered_mapping("pixel", gpu), "pixel");
   EXPECT_THROW(offered_mapping("tile", gpu), InputError);
+}
+
+// If the vertices of all layers do not fit in memory, pelage draws the layers in several passes. The picture
+// must have the same bits as the picture drawn in one pass, and the numbers of fragments must be equal.
+constexpr int layers = 16;
+
+struct Drawn {
+  Picture picture, after;  // `after` is the next frame, drawn after the fragments were counted
+  std::uint64_t counted;
+  Tally tally;
+};
+
+Drawn drawn_in_passes(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
+                      int layers_at_once) {
+  Shells shells(device(), input, {mapping, {}, layers_at_once});
+  shells.frame();
+  Drawn d;
+  d.picture = shells.read();
+  d.tally = shells.tally(1);
+  EXPECT_TRUE(same_bits(shells.read(), d.picture)) << "a tally leaves the picture alone";
+  d.counted = shells.count();
+  shells.frame();
+  d.after = shells.read();
+  return d;
+}
+
+struct Passes : testing::TestWithParam<const char*> {};
+
+void expect_parts_of_one_picture(const std::shared_ptr<const FrameInput>& input, const char* mapping) {
+  const Drawn whole = drawn_in_passes(input, mapping, layers);
+  EXPECT_GT(whole.tally.blended, 1000u);
+  // The 16 layers are drawn with at most 7, 3 or 1 layers per pass. pelage rounds 7 down to 4, the size of a
+  // layer batch. With 3 layers per pass, a pass has fewer layers than a layer batch, and the sixth pass has
+  // only one layer.
+  for (const int at_once : {7, 3, 1}) {
+    SCOPED_TRACE(at_once);
+    const Drawn parts = drawn_in_passes(input, mapping, at_once);
+    EXPECT_TRUE(same_bits(parts.picture, whole.picture));
+    EXPECT_TRUE(same_bits(parts.after, whole.after));
+    EXPECT_EQ(parts.counted, whole.counted);
+    EXPECT_EQ(parts.tally.covered, whole.tally.covered);
+    EXPECT_EQ(parts.tally.shaded, whole.tally.shaded);
+    EXPECT_EQ(parts.tally.blended, whole.tally.blended);
+  }
+}
+
+TEST_P(Passes, ArePartsOfOnePicture) {
+  expect_parts_of_one_picture(tiny_frame("all"), GetParam());
+}
+
+TEST_P(Passes, OfTwoSweepsAreOnePicture) {
+  expect_parts_of_one_picture(tiny_frame("back-then-front"), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Device, Passes, testing::Values("tile", "pixel", "group"),
+                         [](const auto& given) { return std::string(given.param); });
+
+// Shells::tally() counts fragments with the mapping `pixel`, and Shells::count() with the mapping that draws
+// the pictures. A tally may be an estimate from a random sample of pixels.
+TEST(Tally, TwoMappingsCountTheSameAndASampleComesNear) {
+  Shells shells(pictures::device(), pictures::small_frame("curling"), {});
+  shells.frame();
+  const Picture before = shells.read();
+  const Tally exact = shells.tally(1);
+  EXPECT_EQ(exact.covered, shells.count());
+  EXPECT_GT(exact.blended, 0u);
+  EXPECT_LE(exact.blended, exact.shaded);
+  EXPECT_LT(exact.shaded, exact.covered);
+  const Tally sample = shells.tally(16);
+  EXPECT_NEAR(double(sample.covered) / double(exact.covered), 1, 0.1);
+  EXPECT_NEAR(double(sample.shaded) / double(exact.shaded), 1, 0.1);
+  EXPECT_NEAR(double(sample.blended) / double(exact.blended), 1, 0.1);
+  EXPECT_EQ(compare(before, shells.read()).worst, 0) << "counting draws nothing";
 }
 
 }  // namespace

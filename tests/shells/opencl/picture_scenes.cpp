@@ -9,13 +9,20 @@ cl::Device device() {
   return cl::choose_device("");
 }
 
-Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const std::string& mapping) {
-  ShellOptions options;
-  options.mapping = mapping;
+Picture drawn_with(const std::shared_ptr<const FrameInput>& input, const ShellOptions& options) {
   Shells shells(device(), input, options);
   shells.advance(frames - 1);
   shells.frame();
   return shells.read();
+}
+
+Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const std::string& mapping) {
+  return drawn_with(input, {mapping, {}});
+}
+
+testing::AssertionResult drawn_alike(const std::shared_ptr<const FrameInput>& input,
+                                     const std::string& mapping, std::size_t least_pixels) {
+  return same(drawn_by_reference(*input), drawn_by_device(input, mapping), least_pixels);
 }
 
 Change change(const Picture& a, const Picture& b) {

@@ -1,7 +1,7 @@
-// A mapping is a way to assign pixels to work-items. This file tests, for each mapping, which pixels the
-// device covers after transform, binning, clipping and rasterization. These pixels must be the pixels that
-// the reference covers. The reference computes its coverage by exact integer edge functions. Triangles that
-// share edges must leave no gap and no overlap (docs/shells.md, section 4).
+// This file tests, for each mapping, which pixels the device covers after transform, binning, clipping and
+// rasterization. These pixels must be the pixels that the reference covers. The reference computes its
+// coverage by exact integer edge functions. Triangles that share edges must leave no gap and no overlap
+// (docs/shells.md, section 4).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,5 @@
-// The kernels have functions that compute the equations of the two papers of Silva et al. (2010). This file
-// compiles these functions as C++ in double precision, and compares their results with closed forms and with
-// the independent reference. The device runs the same functions in single precision, so only rounding differs
-// there. Paper S is Silva et al. 2010, Curling and Clumping Fur.
+// Compiles the kernels' functions for the equations of S and W as C++ in double precision, and compares them
+// with closed forms and with the reference. The device runs them in single precision: only rounding differs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +10,7 @@
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/shading.hpp"
 #include "harness/shells/reference/strands.hpp"
-#include "harness/shells/reference/substeps.hpp"
+#include "harness/shells/reference/textures.hpp"
 #include "tests/support/opencl_as_cpp.hpp"
 #include "tests/support/synthetic.hpp"
 

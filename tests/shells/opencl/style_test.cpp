@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "harness/compare/tolerances.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/style_scenes.hpp"
@@ -36,40 +35,42 @@ const MapKey keys[] = {
      [](Scene& s) -> float& { return s.curl.turns; }},
 };
 
+/// Returns the torus with wavy maps of all keys.
+std::shared_ptr<const FrameInput> with_all_maps(const std::function<void(Scene&)>& change) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  return small_torus([&](Scene& s) {
+    for (const MapKey& key : keys) key.map(s) = map;
+    change(s);
+  });
+}
+
 struct Maps : testing::TestWithParam<int> {  // the parameter is fur.substeps
   test::Folder folder;
+
+  static Picture drawn(const std::function<void(Scene&)>& change) {
+    return drawn_by_device(small_torus([&](Scene& s) {
+                             s.fur.substeps = GetParam();
+                             change(s);
+                           }),
+                           "tile");
+  }
 };
 struct AllMaps : Maps {};
 
 TEST_P(Maps, OfTheValueOneChangeNoBit) {
   const auto one = write_map(folder.path / "one.exr", 3, 2, [](glm::vec2) { return 1.0f; });
-  const Picture expected =
-      drawn_by_device(small_torus([](Scene& s) { s.fur.substeps = GetParam(); }), "tile");
+  const Picture expected = drawn([](Scene&) {});
   for (const MapKey& key : keys)
-    EXPECT_TRUE(same_bits(drawn_by_device(small_torus([&](Scene& s) {
-                                            s.fur.substeps = GetParam();
-                                            key.map(s) = one;
-                                          }),
-                                          "tile"),
-                          expected))
-        << key.name;
+    EXPECT_TRUE(same_bits(drawn([&](Scene& s) { key.map(s) = one; }), expected)) << key.name;
 }
 
 TEST_P(Maps, OfTheValueOneHalfAreHalfTheKeyBitForBit) {
   const auto half = write_map(folder.path / "half.exr", 3, 2, [](glm::vec2) { return 0.5f; });
-  const Picture whole = drawn_by_device(small_torus([](Scene& s) { s.fur.substeps = GetParam(); }), "tile");
+  const Picture whole = drawn([](Scene&) {});
   for (const MapKey& key : keys) {
-    const Picture mapped = drawn_by_device(small_torus([&](Scene& s) {
-                                             s.fur.substeps = GetParam();
-                                             key.map(s) = half;
-                                           }),
-                                           "tile");
-    const Picture halved = drawn_by_device(small_torus([&](Scene& s) {
-                                             s.fur.substeps = GetParam();
-                                             key.value(s) *= 0.5f;
-                                           }),
-                                           "tile");
-    EXPECT_TRUE(same_bits(mapped, halved)) << key.name;
+    const Picture mapped = drawn([&](Scene& s) { key.map(s) = half; });
+    EXPECT_TRUE(same_bits(mapped, drawn([&](Scene& s) { key.value(s) *= 0.5f; }))) << key.name;
     EXPECT_FALSE(same_bits(mapped, whole)) << key.name << " has no effect";
   }
 }
@@ -82,28 +83,19 @@ TEST_P(Maps, LookLikeTheReference) {
       s.fur.density = 0.9f;
       key.map(s) = map;
     });
-    const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_device(input, "tile"));
-    EXPECT_TRUE(within(agreement)) << key.name << ": " << describe(agreement);
-    EXPECT_GT(agreement.pixels, 2000u);
-    RecordProperty(key.name, describe(agreement));
+    EXPECT_TRUE(drawn_alike(input, "tile", 2000)) << key.name;
   }
 }
 
 // All maps in one scene, because every further program takes seconds to compile.
 TEST_P(AllMaps, TogetherLookLikeTheReferenceInAllMappings) {
-  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  const auto input = small_torus([&](Scene& s) {
+  const auto input = with_all_maps([](Scene& s) {
     s.fur.substeps = GetParam();
     s.fur.density = 0.9f;
-    for (const MapKey& key : keys) key.map(s) = map;
   });
   const Picture expected = drawn_by_reference(*input);
-  for (const std::string& mapping : mappings()) {
-    const Agreement agreement = compare(expected, drawn_by_device(input, mapping));
-    EXPECT_TRUE(within(agreement)) << mapping << ": " << describe(agreement);
-    EXPECT_GT(agreement.pixels, 2000u);
-    RecordProperty(mapping, describe(agreement));
-  }
+  for (const std::string& mapping : mappings())
+    EXPECT_TRUE(same(expected, drawn_by_device(input, mapping), 2000)) << mapping;
 }
 
 INSTANTIATE_TEST_SUITE_P(Substeps, Maps, testing::Values(1));
@@ -113,28 +105,17 @@ INSTANTIATE_TEST_SUITE_P(Full, AllMaps, testing::Values(1));
 
 // An eye inside the fur, so that triangles are clipped.
 TEST(MapsOfClippedFur, LookLikeTheReference) {
-  const test::Folder folder;
-  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  const auto input = small_torus([&](Scene& s) {
-    for (const MapKey& key : keys) key.map(s) = map;
+  const auto input = with_all_maps([](Scene& s) {
     s.fur.layers = 8;
     s.camera.framed = false;
     s.camera.eye = {1.05f, .04f, 0};
     s.camera.target = {0, 0, 0};
   });
-  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_device(input, "tile"));
-  EXPECT_TRUE(within(agreement)) << describe(agreement);
+  EXPECT_TRUE(drawn_alike(input, "tile"));
 }
 
 TEST(MapsOfSeparateTriangles, LookLikeTheReference) {
-  const test::Folder folder;
-  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  const auto input = small_torus([&](Scene& s) {
-    for (const MapKey& key : keys) key.map(s) = map;
-    s.fur.binding = "separate";
-  });
-  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_device(input, "tile"));
-  EXPECT_TRUE(within(agreement)) << describe(agreement);
+  EXPECT_TRUE(drawn_alike(with_all_maps([](Scene& s) { s.fur.binding = "separate"; }), "tile"));
 }
 
 TEST(MapOfTheLength, LimitsTheMovingStrands) {

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "harness/compare/masks.hpp"
-#include "harness/compare/pictures.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
@@ -47,9 +46,8 @@ std::vector<glm::vec4> reference_mask(const FrameInput& input, int frames) {
   return mask;
 }
 
-template <class T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+bool same_texels(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec4)) == 0;
 }
 
 std::size_t wet_texels(const std::vector<glm::vec4>& mask) {
@@ -109,11 +107,11 @@ TEST(WetFrames, DoNotDependOnTheFramesBefore) {
   last.advance(13);
   last.frame();
   EXPECT_GT(wet_texels(all.mask()), 1000u);
-  EXPECT_TRUE(same(all.mask(), last.mask()));
-  EXPECT_TRUE(same(all.read().pixel, last.read().pixel));
+  EXPECT_TRUE(same_texels(all.mask(), last.mask()));
+  EXPECT_TRUE(same_bits(all.read(), last.read()));
   // The constructor computes the mask of the picture at dynamics.time.
   input.scene.dynamics.time = float(picture_time(input.scene.dynamics, 14));
-  EXPECT_TRUE(same(shells_of(input).mask(), all.mask()));
+  EXPECT_TRUE(same_texels(shells_of(input).mask(), all.mask()));
 }
 
 TEST(WetFrames, AgreeWithTheReference) {
@@ -141,7 +139,7 @@ TEST(WetFrames, EndAsTheyBegan) {
     none.advance(frames - none.frames_simulated() - 1);
     rain.frame();
     none.frame();
-    EXPECT_TRUE(same(rain.read().pixel, none.read().pixel)) << "frame " << frames;
+    EXPECT_TRUE(same_bits(rain.read(), none.read())) << "frame " << frames;
   }
 }
 
@@ -173,7 +171,7 @@ TEST(WetFrames, HaveTheLayersOfTheirTriangles) {
   Shells other(device(), std::make_shared<FrameInput>(input), all_layers);
   other.advance(frames - 1);
   other.frame();
-  EXPECT_TRUE(same(drawn.read().pixel, other.read().pixel));
+  EXPECT_TRUE(same_bits(drawn.read(), other.read()));
 }
 
 }  // namespace

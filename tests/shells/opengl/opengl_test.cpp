@@ -1,30 +1,21 @@
 // Tests the options, contexts and errors of the OpenGL baseline. picture_test.cpp tests its pictures.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 
 #include "harness/error.hpp"
 #include "tests/shells/opengl/scenes.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
 
 using namespace rival_tests;
-namespace fs = std::filesystem;
 
-template <class Error>
-std::string refusal(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::refusal;
 
 TEST(OpenGlOptions, AreReadAndWritten) {
   EXPECT_EQ(opengl_options(""), OpenGlOptions{});
@@ -38,7 +29,7 @@ TEST(OpenGlOptions, AreReadAndWritten) {
 TEST(OpenGlOptions, BadOnesAreRefused) {
   for (const char* text : {"draw=each", "draws", "draws=", "draws=all", "draws=each,,target=rgba8",
                            "fur=slices", "vertices=corners", "target=rgba8 "}) {
-    const std::string said = refusal<InputError>([&] { opengl_options(text); });
+    const std::string said = refusal([&] { opengl_options(text); });
     EXPECT_NE(said.find("OpenGL option"), std::string::npos) << text << ": " << said;
     EXPECT_EQ(said.find('\n'), std::string::npos);
   }
@@ -49,7 +40,7 @@ TEST(OpenGl, WithoutAnEglDriverSaysSo) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto ask = [] {
     setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent/none.json", 1);
-    const std::string said = refusal<InputError>([] { opengl_renderer(); });
+    const std::string said = refusal([] { opengl_renderer(); }, "");
     std::fprintf(stderr, "%s\n", said.c_str());
     std::exit(said.empty() ? 0 : 2);
   };
@@ -91,9 +82,9 @@ TEST(OpenGl, StandsAtRestUntilBent) {
 
 TEST(OpenGl, RefusesWhatDoesNotFit) {
   const auto input = small_frame("curling");
-  EXPECT_NE(refusal<InputError>([&] { OpenGl(input, {}); }).find("wetness mask"), std::string::npos);
+  EXPECT_NE(refusal([&] { OpenGl(input, {}); }).find("wetness mask"), std::string::npos);
   OpenGl opengl(input, mask_of(*input));
-  EXPECT_NE(refusal<InputError>([&] { opengl.bend({}); }).find("tips"), std::string::npos);
+  EXPECT_NE(refusal([&] { opengl.bend({}); }).find("tips"), std::string::npos);
 }
 
 TEST(OpenGl, ReportsWhatTheDriverRefuses) {
@@ -105,27 +96,12 @@ TEST(OpenGl, ReportsWhatTheDriverRefuses) {
 }
 
 /// Copies the shaders to a temporary folder. PELAGE_DATA names this folder while the object exists.
-class OwnShaders {
- public:
+struct OwnShaders : test::Folder {
   OwnShaders() {
-    std::string name = (fs::temp_directory_path() / "pelage-shaders-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) std::abort();
-    folder_ = name;
-    fs::copy(fs::path(PELAGE_SOURCE_DIR) / "shaders", folder_ / "shaders");
-    setenv("PELAGE_DATA", folder_.c_str(), 1);
+    std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "shaders", path / "shaders");
+    setenv("PELAGE_DATA", path.c_str(), 1);
   }
-  ~OwnShaders() {
-    unsetenv("PELAGE_DATA");
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  void append(const std::string& file, const std::string& text) const {
-    std::ofstream(folder_ / "shaders" / file, std::ios::app) << text;
-  }
-  void remove(const std::string& file) const { fs::remove(folder_ / "shaders" / file); }
-
- private:
-  fs::path folder_;
+  ~OwnShaders() { unsetenv("PELAGE_DATA"); }
 };
 
 TEST(OpenGl, TakesShadersOfOnesOwn) {
@@ -133,13 +109,13 @@ TEST(OpenGl, TakesShadersOfOnesOwn) {
   const std::string shipped = shader_hash();
   const OwnShaders own;
   EXPECT_EQ(shader_hash(), shipped);
-  own.append("fur.frag", "\nvec4 oops() { return no_such_name; }\n");
+  std::ofstream(own.path / "shaders/fur.frag", std::ios::app) << "\nvec4 oops() { return no_such_name; }\n";
   EXPECT_NE(shader_hash(), shipped);
   const std::string said = refusal<DeviceError>([&] { OpenGl(input, mask_of(*input)); });
   EXPECT_NE(said.find("does not compile fur.frag"), std::string::npos) << said;
   EXPECT_NE(said.find("no_such_name"), std::string::npos) << said;
-  own.remove("fur.frag");
-  EXPECT_NE(refusal<InputError>([&] { OpenGl(input, mask_of(*input)); }).find("fur.frag"), std::string::npos);
+  std::filesystem::remove(own.path / "shaders/fur.frag");
+  EXPECT_NE(refusal([&] { OpenGl(input, mask_of(*input)); }).find("fur.frag"), std::string::npos);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "harness/compare/frame_output.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 #include "tests/support/pictures.hpp"
 
@@ -10,13 +11,21 @@ namespace pelage::rival_tests {
 
 using namespace pictures;
 
-/// Returns the reference's wetness mask in the format that the constructor of OpenGl takes.
-std::vector<glm::vec4> mask_of(const FrameInput& input);
-/// Returns the reference's strand tips after `frames` frames, one per strand: tip minus root, in units of the
-/// mesh radius R.
-std::vector<glm::vec3> tips_of(const FrameInput& input);
+/// The reference's wetness mask, and its strand tips minus roots after `frames` frames.
+inline std::vector<glm::vec4> mask_of(const FrameInput& input) {
+  return reference_motion(input, frames).mask;
+}
+inline std::vector<glm::vec3> tips_of(const FrameInput& input) {
+  return reference_motion(input, frames).tips;
+}
 
 /// Draws the frame with the OpenGL baseline. opengl_options() parses the text `options`.
-Picture drawn_by_opengl(const std::shared_ptr<const FrameInput>& input, const std::string& options = "");
+inline Picture drawn_by_opengl(const std::shared_ptr<const FrameInput>& input,
+                               const std::string& options = "") {
+  OpenGl opengl(input, mask_of(*input), opengl_options(options));
+  opengl.bend(tips_of(*input), frames);
+  opengl.frame();
+  return opengl.read();
+}
 
 }  // namespace pelage::rival_tests

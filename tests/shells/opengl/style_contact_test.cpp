@@ -1,11 +1,10 @@
 // Compares the OpenGL baseline's pictures of fur with maps (docs/shells.md, section 8) and with colliders
-// (docs/shells.md, section 9) with the reference.
+// (docs/shells.md, section 9) with the reference. Also tests water that changes over time (section 10).
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstring>
+#include <stdexcept>
 
-#include "harness/compare/tolerances.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/mesh/write_ply.hpp"
 #include "tests/shells/opengl/scenes.hpp"
 #include "tests/support/files.hpp"
@@ -25,9 +24,7 @@ TEST(OpenGlStyle, LooksLikeTheReference) {
   const test::Folder folder;
   const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
   const auto input = small_torus([&](Scene& s) { set_maps(s, map); });
-  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_opengl(input));
-  EXPECT_TRUE(within(agreement)) << describe(agreement);
-  RecordProperty("agreement", describe(agreement));
+  EXPECT_TRUE(same(drawn_by_reference(*input), drawn_by_opengl(input)));
 }
 
 TEST(OpenGlStyle, MapsOfOneHalfAreHalfTheKeysBitForBit) {
@@ -38,8 +35,7 @@ TEST(OpenGlStyle, MapsOfOneHalfAreHalfTheKeysBitForBit) {
     for (float* key : {&s.fur.length, &s.fur.density, &s.fur.comb, &s.curl.radius, &s.curl.turns})
       *key *= 0.5f;
   }));
-  EXPECT_EQ(
-      std::memcmp(mapped.pixel.data(), halved.pixel.data(), mapped.pixel.size() * sizeof mapped.pixel[0]), 0);
+  EXPECT_TRUE(same_bits(mapped, halved));
 }
 
 TEST(OpenGlContact, LooksLikeTheReference) {
@@ -64,9 +60,33 @@ TEST(OpenGlContact, LooksLikeTheReference) {
     s.contact.mesh.scale = 0.4f;
     s.contact.mesh.cells = 32;
   });
-  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_opengl(input));
-  EXPECT_TRUE(within(agreement)) << describe(agreement);
-  RecordProperty("agreement", describe(agreement));
+  EXPECT_TRUE(same(drawn_by_reference(*input), drawn_by_opengl(input)));
+}
+
+TEST(OpenGlWater, ANewMaskGivesThePictureOfAFreshScene) {
+  FrameInput input = *small_frame("wet");
+  input.scene.wetness.soak = .3f;
+  ASSERT_GT(input.droplets.size(), 0u);
+  const auto shared = std::make_shared<FrameInput>(input);
+  const std::vector<glm::vec4> mask = mask_of(input), none(mask.size());
+  OpenGl changed(shared, none);
+  changed.bend(tips_of(input));
+  changed.frame();
+  const Picture dry = changed.read();
+  changed.set_mask(mask);
+  changed.frame();
+  const Picture wet = changed.read(), fresh = drawn_by_opengl(shared);
+  EXPECT_FALSE(same_bits(wet, dry));
+  EXPECT_TRUE(same_bits(wet, fresh));
+  for (const Check& check : other_filter_checks(against_reference, compare(wet, drawn_by_reference(input))))
+    EXPECT_TRUE(check.holds()) << check.metric << " " << check.value;
+  EXPECT_THROW(changed.set_mask({}), std::exception);
+}
+
+TEST(OpenGlWater, OfAStillSceneKeepsItsMask) {
+  const auto still = small_frame("wet");
+  OpenGl opengl(still, mask_of(*still));
+  EXPECT_THROW(opengl.set_mask(mask_of(*still)), std::logic_error);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // package to install.
 #include <gtest/gtest.h>
 
-#include "harness/error.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,6 +1,5 @@
 // Tests the readings of S Eq. 5 and W Eq. 4 on a flat patch with one droplet: strands that the clump leans
-// are traced from their roots through the layers. S = Silva et al. 2010, Curling and Clumping Fur; W = Silva
-// et al. 2010, Real-Time Rendering of Wet Fur.
+// are traced from their roots through the layers.
 #include <gtest/gtest.h>
 
 #include <cmath>

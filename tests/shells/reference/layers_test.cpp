@@ -1,10 +1,8 @@
-// Tests Eq. 1 and 4 of paper S and the strand's curve (docs/shells.md, section 3). Paper S is Silva et al.
-// 2010, Curling and Clumping Fur.
+// Tests Eq. 1 and 4 of paper S and the strand's curve (docs/shells.md, section 3).
 #include "harness/shells/reference/layers.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/prepare/prepare.hpp"

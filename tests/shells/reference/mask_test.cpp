@@ -1,5 +1,4 @@
-// Tests Algorithm 1, Eq. 5 and Algorithm 2 of paper S with numbers that can be checked by hand. Paper S is
-// Silva et al. 2010, Curling and Clumping Fur.
+// Tests Algorithm 1, Eq. 5 and Algorithm 2 of paper S with numbers that can be checked by hand.
 #include "harness/shells/reference/mask.hpp"
 
 #include <gtest/gtest.h>

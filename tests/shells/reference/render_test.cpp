@@ -4,12 +4,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/reference/reference.hpp"
-#include "harness/shells/reference/visible.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
@@ -176,8 +174,8 @@ TEST(ReferenceRender, ATriangleBehindTheEyeIsClippedLikeItsPieces) {
 
 TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
   // Every texel has coverage 1 and shade 2/3. The camera looks from above, so only the outermost layer is
-  // visible. In Eq. 6 of paper S (Silva et al. 2010, Curling and Clumping Fur), the height of this layer is h
-  // = 1, and the strand direction T and the normal nu are the z axis.
+  // visible. In Eq. 6 of S, the height of this layer is h = 1, and the strand direction T and the normal nu
+  // are the z axis.
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
   scene.curl.radius = 0;

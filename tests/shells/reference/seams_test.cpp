@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "harness/prepare/droplets.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/shells/reference/mask.hpp"

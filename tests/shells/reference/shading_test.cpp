@@ -1,13 +1,10 @@
-// Tests Eq. 6 of paper S (Curling and Clumping Fur) and Eq. 2 to 5 of paper W (Real-Time Rendering of Wet
-// Fur), both by Silva et al. 2010. The light is along or across the strand, and the equations' constants have
-// extreme values. T is the strand's direction, L the direction to the light, and E the direction from the
-// eye.
+// Tests S Eq. 6 and W Eq. 2 to 5. The light is along or across the strand, and the equations' constants have
+// extreme values. T is the strand's direction, L the direction to the light, and E that from the eye.
 #include "harness/shells/reference/shading.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace pelage {
 namespace {

@@ -1,5 +1,4 @@
-// Compares Eq. 2 and 3 of paper S with closed forms (docs/shells.md, section 1). Paper S is Silva et al.
-// 2010, Curling and Clumping Fur. Lengths are in R, the radius of the mesh's bounding sphere.
+// Compares Eq. 2 and 3 of paper S with closed forms (docs/shells.md, section 1). Lengths are in R.
 #include "harness/shells/reference/strands.hpp"
 
 #include <gtest/gtest.h>

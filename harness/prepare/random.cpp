@@ -1,8 +1,6 @@
-#include "harness/prepare/noise.hpp"
+#include "harness/prepare/random.hpp"
 
 #include <cmath>
-
-#include "harness/prepare/random.hpp"
 
 namespace pelage {
 namespace {

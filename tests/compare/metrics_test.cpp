@@ -1,14 +1,20 @@
 // Tests flipped pixels (pixels that differ by more than tolerance::flip). compare() counts them, and reports
 // the PSNR with and without them. within() accepts a picture only if its share of flipped pixels is small
-// enough.
+// enough. Also tests the structural similarity of pictures against values computed from its definition.
+#include "harness/compare/metrics.hpp"
+
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <glm/vec3.hpp>
 #include <limits>
+#include <map>
 #include <random>
+#include <string>
 
-#include "harness/compare/pictures.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
+#include "harness/error.hpp"
+#include "harness/record/contradiction.hpp"
 
 namespace pelage {
 namespace {
@@ -98,6 +104,54 @@ TEST(Flips, AnyChannelAndAnythingThatIsNoNumberCounts) {
   for (glm::vec4& pixel : ours.pixel) pixel.w = 0.5f;
   EXPECT_EQ(compare(ours, reference).flips, 4u);
   EXPECT_EQ(compare(ours, reference).psnr_without_flips, 0) << "of no pixels";
+}
+
+/// A grey picture of 8 x 8 pixels, that is, of one window. `value` returns the grey of a pixel.
+template <class Value>
+Picture grey(const Value& value, float alpha = 1.0f) {
+  Picture p{8, 8, std::vector<glm::vec4>(64)};
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) p.at(x, y) = glm::vec4(glm::vec3(float(value(x, y))), alpha);
+  return p;
+}
+
+constexpr double c1 = 1e-4, c2 = 9e-4;
+
+TEST(Ssim, OfEqualPicturesIsOne) {
+  const Picture p = grey([](int x, int y) { return 0.1 * x + 0.01 * y; });
+  EXPECT_NEAR(ssim(p, p), 1, 1e-12);
+}
+
+TEST(Ssim, OfConstantPicturesComparesTheMeans) {
+  const Picture a = grey([](int, int) { return 0.25; }), b = grey([](int, int) { return 0.5; });
+  EXPECT_NEAR(ssim(a, b), (2 * 0.25 * 0.5 + c1) / (0.25 * 0.25 + 0.5 * 0.5 + c1), 1e-6);
+}
+
+TEST(Ssim, OfAPictureAndItsNegativeIsBelowZero) {
+  // Columns alternate between two greys: mean 0.5, variance 0.04, covariance with the negative -0.04.
+  const Picture a = grey([](int x, int) { return x % 2 ? 0.7 : 0.3; });
+  const Picture b = grey([](int x, int) { return x % 2 ? 0.3 : 0.7; });
+  EXPECT_NEAR(ssim(a, b), (-0.08 + c2) / (0.08 + c2), 1e-5);
+}
+
+TEST(Ssim, LeavesOutWindowsWithoutFur) {
+  const Picture a = grey([](int, int) { return 0.25; }, 0), b = grey([](int, int) { return 0.5; }, 0);
+  EXPECT_EQ(ssim(a, b), 1);
+}
+
+TEST(Ssim, RefusesPicturesOfDifferentSizes) {
+  const Picture a = grey([](int, int) { return 0.5; });
+  const Picture b{4, 16, std::vector<glm::vec4>(64)};
+  EXPECT_THROW(ssim(a, b), InputError);
+}
+
+// The rows of results may have only checks whose limits some version of pelage has used.
+TEST(WeakestLimits, AreThoseOfTheTolerances) {
+  const std::map<std::string, double> tolerances{
+      {"psnr", tolerance::other_filter_psnr}, {"p99.9", tolerance::flip}, {"flips", tolerance::flip_share}};
+  ASSERT_EQ(weakest_limits().size(), tolerances.size());
+  for (const WeakestLimit& weakest : weakest_limits())
+    EXPECT_EQ(weakest.limit, tolerances.at(weakest.metric)) << weakest.metric;
 }
 
 }  // namespace
