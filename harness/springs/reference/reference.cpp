@@ -302,6 +302,11 @@ State step(const System& system, const State& state, long number) {
   return solver.in_turn ? semi_implicit_euler(system, state, t, h) : explicit_euler(system, state, t, h);
 }
 
+State after(const System& system, State state, long first, long steps) {
+  for (long i = 0; i < steps; ++i) state = step(system, state, first + i);
+  return state;
+}
+
 double residual(const System& system, const State& state, long number, const Vectors& change) {
   const double h = double(system.dynamics.step);
   const Equations equations = backward_equations(system, state, double(number) * h, h);

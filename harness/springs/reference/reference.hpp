@@ -36,6 +36,9 @@ std::vector<glm::dvec3> forces(const System& system, const State& state, double 
 /// of this step, starting at 0.
 State step(const System& system, const State& state, long number);
 
+/// Returns the state after `steps` time steps that begin with step number `first` in the state `state`.
+State after(const System& system, State state, long first, long steps);
+
 /// Returns the relative residual |b - A x| / |b| of the linear system A x = b of one backward Euler step. The
 /// vector x is `change`, the change of the top masses' velocities (R/s) in this step. `number` is the index
 /// of this step, starting at 0.

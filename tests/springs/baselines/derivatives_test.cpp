@@ -21,16 +21,12 @@ TEST(BaselineStep, SolvesTheSystemOfFiniteDifferences) {
     const SpringNetwork topology = build(kind, sphere(0), fur_length);
     const reference::State state = stretched(topology);
     const Step step = step_by_differences({topology, d}, state, 0);
-    Motions start;
-    std::vector<glm::dvec3> before;
-    for (std::size_t i = 0; i < topology.sticks(); ++i) {
-      start.offset.emplace_back(state.position[topology.top(i)] - state.position[i]);
-      start.speed.emplace_back(state.velocity[topology.top(i)]);
-      before.emplace_back(start.speed.back());
-    }
+    const std::vector<glm::dvec3> offsets = reference::offsets(topology, state),
+                                  before = speeds_of(topology, state);
+    const Motions start{{offsets.begin(), offsets.end()}, {before.begin(), before.end()}};
     const auto rivals = solver_rivals(topology, d);
     EXPECT_GE(rivals.size(), 2u) << kind;
-    for (const auto& [name, rival] : rivals) {
+    for (const auto& [name, rival, threads] : rivals) {
       rival->set(start);
       rival->advance(moments(d, 0, 1), 1);
       const auto speeds = rival->state().speed;

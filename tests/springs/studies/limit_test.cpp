@@ -15,14 +15,6 @@ namespace {
 
 using namespace test;
 
-// Returns the dynamics of experiments/banisch2006-longest-step.toml with the spring constant k = 10 N/m.
-Dynamics windy(Solver solver) {
-  Dynamics d;
-  d.solver = solver;
-  d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 1};
-  return d;
-}
-
 // Simulates two seconds with the reference. Returns the greatest length of a stick after any step, in rest
 // lengths.
 double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, double step) {
