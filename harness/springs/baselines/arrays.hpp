@@ -29,13 +29,13 @@ struct Gradients {
 template <class T>
 struct Arrays {
   int sticks = 0, edges = 0;
-  const T *root[3]{}, *normal[3]{}, *phase_cos = nullptr, *phase_sin = nullptr;
+  T *root[3]{}, *normal[3]{}, *phase_cos = nullptr, *phase_sin = nullptr;
   /// An edge is a spring between two top masses. On shared prisms, `from` and `to` hold the indices of the
   /// two sticks of each edge, and `rest` holds the edge's rest length in R. Separable prisms do not use
   /// `from` and `to`. Separable prisms on F triangles have 3 F sticks: stick c*F+f belongs to corner c of
   /// triangle f. rest[c*F+f] is the rest length of the edge between corners c and (c + 1) % 3 of triangle f.
   const int *from = nullptr, *to = nullptr;
-  const T* rest = nullptr;
+  T* rest = nullptr;
   T *q[3]{}, *v[3]{};  ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
   /// Only for shared prisms: the forces on the top masses, and work arrays of RK4. The second thread adds its
   /// forces to force[1], which contains zeros between two steps.

@@ -16,10 +16,6 @@ PELAGE_INLINE V<T> at(T* const column[3], int i) {
   return {column[0][i], column[1][i], column[2][i]};
 }
 template <class T>
-PELAGE_INLINE V<T> at(const T* const column[3], int i) {
-  return {column[0][i], column[1][i], column[2][i]};
-}
-template <class T>
 PELAGE_INLINE void put(T* const column[3], int i, V<T> a) {
   column[0][i] = a.x, column[1][i] = a.y, column[2][i] = a.z;
 }
