@@ -1,7 +1,7 @@
-// Tests the limits of docs/level-of-detail.md: strands that appear and vanish must not flicker, and a part of
-// the strands has the mean coverage of all strands. The camera moves away from a model in 120 frames, from
-// the distance at which the mean width of all strands is `least` pixels to ten times this distance, so that
-// the drawn part of the strands falls from 100% to 10%.
+// Tests the level of detail of docs/strands.md in a clip: strands that appear and vanish must not flicker,
+// and a part of the strands has the mean coverage of all strands. The camera moves away from a model in 120
+// frames, from the distance at which the mean width of all strands is `least` pixels to ten times this
+// distance, so that the drawn part of the strands falls from 100% to 10%.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,8 +13,7 @@
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/groom/fur.hpp"
-#include "harness/strands/opencl/drawer.hpp"
-#include "tests/strands/support/strands.hpp"
+#include "tests/strands/support/device_picture.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -33,30 +32,21 @@ Picture averaged(const Picture& fine) {
   return picture;
 }
 
-double mean_coverage(const Picture& picture) {
-  double sum = 0;
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
-  return sum / double(picture.pixel.size());
-}
-
 /// Pictures of a model with 100,000 strands at several distances. The distance 1 is that from which the
 /// object fills the picture.
 class Views {
  public:
   Views(const Mesh& mesh, const Fur& fur, float reach, int scale)
-      : reach_(reach), spread_(spread_of(fur.strands, mesh)) {
+      : keys_(fur.keys), reach_(reach), spread_(spread_of(fur.strands, mesh)) {
     scene_.image.width = 320 * scale;
     scene_.image.height = 240 * scale;
     framed_ = make_camera(scene_.camera, scene_.image, mesh.position, reach_ - 1);
     drawer_.emplace(test::queue(), at(1, 1), fur.strands, fur.keys.size());
-    const std::vector<float> keys = key_records(fur.keys);
-    drawer_->keys().write(test::queue(), keys);
   }
 
   Picture draw(double distance, float fraction) {
     drawer_->set_view(at(distance, fraction));
-    drawer_->enqueue(test::queue(), nullptr);
-    return drawer_->read(test::queue());
+    return drawn_with(*drawer_, keys_);
   }
 
   double distance_of_width(double pixels) const {
@@ -84,6 +74,7 @@ class Views {
     return view;
   }
 
+  std::vector<KeyStrand> keys_;
   float reach_;
   Spread spread_;
   Scene scene_;
@@ -118,7 +109,7 @@ TEST_P(Dolly, HardlyPopsAndKeepsItsCoverage) {
   scene.model = GetParam();
   StrandLayerScene& layer = scene.strands.layers.front();
   layer.count = 100000;
-  const auto mesh = load_scene_mesh(scene);
+  const auto mesh = load_scene_mesh(scene, {});
   const Fur fur = grow(*mesh, scene.strands, prepare(scene, mesh)->coat);
   const float reach = 1 + layer.length * (1 + layer.length_spread);
   Views views(*mesh, fur, reach, 1), fine(*mesh, fur, reach, finer);

@@ -5,6 +5,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/strands/opencl/chains.hpp"
+#include "tests/strands/support/step_errors.hpp"
 #include "tests/support/opencl_as_cpp.hpp"
 
 #pragma GCC diagnostic push
@@ -47,22 +48,8 @@ TEST(WeakForces, MoveStrandsAlongTheirStops) {
 // too.
 TEST(WeakForces, SingleStepsNearRestAgreeWithTheReference) {
   for (const WeakForce& force : weak_forces()) {
-    const std::vector<Chain> chains = chains_under(force);
-    const ChainDynamics d = dynamics_under(force);
-    Chains strands(queue(), chains, d);
-    double worst = 0;
-    for (int look = 0; look < 20; ++look) {
-      strands.enqueue(queue(), 24);
-      const std::vector<ChainState> before = strands.states(queue());
-      const long number = strands.steps();
-      strands.enqueue(queue(), 1);
-      const std::vector<ChainState> after = strands.states(queue());
-      for (std::size_t i = 0; i < chains.size(); ++i) {
-        const reference::State exact = reference::step(chains[i], d, reference::in_double(before[i]), number);
-        worst = std::max({worst, glm::distance(glm::dvec3(after[i].direction[0]), exact.u),
-                          glm::distance(glm::dvec3(after[i].direction[1]), exact.w)});
-      }
-    }
+    const Errors errors = step_errors(chains_under(force), dynamics_under(force), 24);
+    const double worst = *std::max_element(errors.direction.begin(), errors.direction.end());
     std::printf("%s: largest error of a step %.1e\n", force.name.c_str(), worst);
     EXPECT_LT(worst, tolerance::chain_direction) << force.name;
   }
