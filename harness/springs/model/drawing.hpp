@@ -10,12 +10,11 @@ namespace pelage::springs {
 /// distinguish on a page.
 inline constexpr std::size_t most_drawn = 20000;
 
-/// Returns an SVG with one panel per topology (four panels). Each panel shows the surface of `mesh` from the
-/// front and slightly from above, the sticks in one colour and the springs between top masses in another.
-/// Sticks and springs behind the surface are hidden. In the panels of the separable topologies, each mass is
-/// drawn nearer to the centre of its triangle, so that gaps between the triangles are visible, as in
-/// Figure 5b of the paper. `length` is the rest length of the sticks in R (the radius of the mesh's bounding
-/// sphere). It must be above 0. Throws InputError if the mesh has more than most_drawn triangles.
+/// Returns an SVG with one panel per topology. Each panel shows the surface of `mesh` from the front and
+/// slightly from above, the sticks in one colour and the springs between tops in another. Sticks and springs
+/// behind the surface are hidden. Of the separable topologies, each mass is drawn nearer to the centre of its
+/// triangle, so that gaps between the triangles are visible, as in Figure 5b of the paper. `length` is the
+/// rest length of the sticks in R, above 0. Throws InputError if the mesh has more than most_drawn triangles.
 std::string drawing_of(const Mesh& mesh, float length);
 
 }  // namespace pelage::springs

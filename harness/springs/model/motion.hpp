@@ -1,5 +1,4 @@
-// Wind, and the motion of the object that carries the fur. R is the radius of the mesh's bounding sphere. It
-// counts as 1 m.
+// Wind, and the motion of the object that carries the fur. R counts as 1 m.
 #pragma once
 #include <glm/vec3.hpp>
 

@@ -109,9 +109,8 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
   return topology;
 }
 
-// hit() tests every triangle, because a scene has at most one ray: the ray that finds the triangle of its
-// poke (a local force). Building the search tree of harness/mesh/search.hpp would take 50 times as long as
-// the tests of all triangles.
+// hit() tests every triangle, because a scene has at most one ray, that of its poke. Building the search tree
+// of harness/mesh/search.hpp would take 50 times as long.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction) {
   std::optional<std::size_t> found;
   double nearest = std::numeric_limits<double>::infinity();

@@ -9,9 +9,8 @@
 namespace pelage::springs {
 namespace {
 
-// Target of a poke (a local force on the fur): a point (in R, the radius of the mesh's bounding
-// sphere), and the index of the triangle that the poke's ray hits. If the scene has no ray, `triangle` is the
-// number of triangles, which is not a valid index.
+// Target of a poke: a point in R, and the index of the triangle that the poke's ray hits. If the scene has no
+// ray, `triangle` is the number of triangles, which is not a valid index.
 struct Aim {
   glm::dvec3 point;
   std::size_t triangle;

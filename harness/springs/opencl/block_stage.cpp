@@ -14,11 +14,10 @@ std::string frame_kernel(const Solver& solver) {
   return name + "_frame";
 }
 
-// Returns the number of slices (16 sticks each) from which a work-item takes sticks at the same time. On the
-// topology separable-prisms the number is 3, one slice per corner of a triangle. On the other topologies the
-// number is 1 or 2. An explicit or semi-implicit Euler step of a stick is a short chain of dependent
-// operations. With 16 lanes (CPU), one slice therefore does not keep the vector unit of a core busy, and the
-// work-item computes two slices. The other solvers would need too many registers for two slices.
+// Returns the number of slices from which a work-item takes sticks at the same time: one for each corner of a
+// triangle, otherwise 1 or 2. An explicit or semi-implicit Euler step of a stick is a short chain of
+// dependent operations, so with 16 lanes (CPU) one slice does not keep the vector unit of a core busy. The
+// other solvers would need too many registers for two slices.
 int corners_of(const Layout& layout, Solver solver, int lanes) {
   const bool brief = !solver.implicit && !solver.multistage();
   return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;
@@ -37,9 +36,8 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
   return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
-// A unit is the set of sticks or triangles that a work-item computes at a time (stages.hpp). On a CPU the
-// units are divided among about 8 work-items per core, with at most 64 units per work-item. On a GPU a
-// work-item computes one unit.
+// On a CPU the units are divided among about 8 work-items per core, with at most 64 units per work-item. On a
+// GPU a work-item computes one unit.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
   if (wanted > 0) return wanted * (16 / lanes);
   if (lanes == 1) return 1;

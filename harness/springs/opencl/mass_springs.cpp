@@ -46,8 +46,8 @@ struct MassSprings::State {
   // The device holds wind, gravity and the object's motion for the steps from known_from to known_to - 1.
   long known_from = 0, known_to = 0;
 
-  // Uploads wind, gravity and the object's motion for many steps at once. For a small model, an upload before
-  // every launch would take as long as the launch.
+  // Uploads wind, gravity and the object's motion for many steps at once, because for a small model an upload
+  // would take as long as the launch.
   void know_moments(const cl::Queue& queue, int substeps) {
     if (known_from <= steps && steps + substeps <= known_to) return;
     const int count = std::max(substeps, 512);
@@ -60,8 +60,7 @@ struct MassSprings::State {
     known_to = steps + count;
   }
 
-  // Reads one vector per stick from a buffer on the device. If `rows` is set, the buffer stores each vector
-  // in a row of four floats. Otherwise it stores x, y and z in three columns.
+  // Reads one vector per stick from a buffer with rows of four floats, or with three columns.
   std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const {
     const std::vector<float> value = buffer.read(queue);
     std::vector<glm::vec3> values;

@@ -1,4 +1,4 @@
-// Simulates a mass-spring topology on an OpenCL device. R is the radius of the mesh's bounding sphere.
+// Simulates a mass-spring topology on an OpenCL device.
 #pragma once
 #include <memory>
 #include <stdexcept>
@@ -23,8 +23,8 @@ struct MassSpringOptions {
   int lanes = 0;
   std::size_t group = 0;    ///< work-items per work-group; 0: usual_group() of harness/cl
   int blocks_per_item = 0;  ///< slices of 16 sticks or triangles per work-item; 0: device's default
-  /// Whether one work-item computes all steps of a launch for the whole model. On a CPU a single work-item is
-  /// faster for a small model, because waking a second core takes more time than the second core saves.
+  /// Whether one work-item computes all steps of a launch for the whole model: on a CPU this is faster for a
+  /// small model, because waking a second core takes more time than it saves.
   enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
 
@@ -32,8 +32,7 @@ struct MassSpringOptions {
 /// has few sticks. The option Whole::as_suits uses this function.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks);
 
-/// Statistics of the linear systems A x = b that a MassSprings object has solved by conjugate gradients. All
-/// values are 0 if the object has solved no system.
+/// Statistics of the linear systems A x = b that a MassSprings object has solved by conjugate gradients.
 struct LinearSolves {
   long solves = 0, iterations = 0;
   int most_iterations = 0;    ///< largest number of iterations of one solve
@@ -42,19 +41,18 @@ struct LinearSolves {
 
 class MassSprings {
  public:
-  /// Creates the system at rest. Throws InputError if check() of dynamics.hpp rejects `dynamics`, or if
-  /// options.lanes is not 0, 1 or 16. Also throws InputError for backward Euler if
-  /// dynamics.full_jacobian is set.
+  /// Creates the system at rest. Throws InputError if check() of dynamics.hpp rejects `dynamics`, if
+  /// options.lanes is not valid, or for backward Euler with dynamics.full_jacobian.
   MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
               const MassSpringOptions& options = {});
   ~MassSprings();
   MassSprings(MassSprings&&) noexcept;
   MassSprings& operator=(MassSprings&&) noexcept;
 
-  /// Sets the state of all top masses. For each stick, `offsets` holds the position of the top mass relative
-  /// to the base in R, and `speeds` holds the velocity of the top mass in R/s. `steps` is the number of steps
-  /// from rest to this state. Clears the record of diverged masses, and sets the initial guess of conjugate
-  /// gradients to 0. Throws InputError if a size is wrong, a value is not finite or `steps` is out of range.
+  /// Sets the state of all tops: their positions relative to their bases in R, and their velocities in R/s.
+  /// `steps` is the number of steps from rest to this state. Clears the record of diverged masses, and sets
+  /// the initial guess of conjugate gradients to 0. Throws InputError if a size is wrong, a value is not
+  /// finite or `steps` is out of range.
   void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
@@ -62,14 +60,13 @@ class MassSprings {
   /// this count. Throws InputError if check() of dynamics.hpp rejects the new time step.
   void retime(float step);
 
-  /// Sets the local forces on the top masses. `force` has one vector per stick, in newtons, in the object's
-  /// frame. An empty vector removes all local forces. Throws InputError if the size is wrong or a force is
-  /// not finite.
+  /// Sets the local forces on the tops, one vector per stick, in newtons, in the object's frame; empty: none.
+  /// Throws InputError if the size is wrong or a force is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
 
-  /// Enqueues `substeps` steps. The call may wait for the upload of wind and motion. The call also waits for
-  /// the queue whenever conjugate gradients test their residual. Appends the event of every launch to
-  /// `launches` unless `launches` is null.
+  /// Enqueues `substeps` steps. The call may wait for the upload of wind and motion, and waits for the queue
+  /// whenever conjugate gradients test their residual. Appends the event of every launch to `launches` unless
+  /// it is null.
   void enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches = nullptr);
 
   /// Waits for the queue. Throws Diverged if a mass diverged in a step enqueued so far.
@@ -78,20 +75,15 @@ class MassSprings {
   /// Calls enqueue() and then check().
   void advance(const cl::Queue& queue, int substeps);
 
-  /// Returns, for each stick, the position of the top mass relative to its base, in R.
-  std::vector<glm::vec3> offsets(const cl::Queue& queue) const;
-  /// Returns, for each stick, the velocity of the top mass in R/s.
-  std::vector<glm::vec3> speeds(const cl::Queue& queue) const;
-  /// offset() returns the device buffer of the top masses' offsets. offset_columns() returns, for each stick,
-  /// the index of the x component in this buffer. The y component is stored 16 floats after x, and the z
-  /// component 32 floats after x.
+  std::vector<glm::vec3> offsets(const cl::Queue& queue) const;  ///< tops relative to their bases, R
+  std::vector<glm::vec3> speeds(const cl::Queue& queue) const;   ///< velocities of the tops, R/s
+  /// The device buffer of the offsets, and for each stick the index of x in this buffer. y is stored 16
+  /// floats after x, and z 32 floats after x.
   const cl::Buffer<float>& offset() const;
   std::vector<std::int32_t> offset_columns() const;
-  long steps() const;    ///< number of steps done or enqueued
-  float length() const;  ///< length of the fur in R
-  /// Returns the number of bytes of device memory that the system uses, without three buffers. memory() in
-  /// layout.hpp names these buffers and returns the same number.
-  std::size_t bytes() const;
+  long steps() const;         ///< number of steps done or enqueued
+  float length() const;       ///< length of the fur in R
+  std::size_t bytes() const;  ///< of device memory; the same number as memory() of layout.hpp
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels
 

@@ -19,9 +19,8 @@ struct Limit {
 };
 
 /// Finds the longest stable time step by bisection. After every step, the kernels compare the length of every
-/// stick with `most_stick`. The host reads the result of this comparison about every `look` seconds of
-/// simulated time. `look` only determines how soon an unstable simulation ends; it does not change the
-/// result.
+/// stick with `most_stick`. The host reads the outcome about every `look` seconds of simulated time, which
+/// only determines how soon an unstable simulation ends.
 Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
                    double look = 1.0 / 60);
 

@@ -13,14 +13,12 @@ struct Shape {
   /// lengths. The value is negative if the mass has moved through the surface.
   double height_least = 0;
   /// Median and largest gap, in fur lengths. The gap at a surface point is the largest distance between the
-  /// top masses of two sticks at this point. Points with only one stick are ignored. Median and largest gap
-  /// are 0 if no point has several sticks.
+  /// tops of two sticks at this point. Both are 0 if no point has several sticks.
   double gap_median = 0, gap_most = 0;
   std::size_t gap_points = 0;  ///< number of surface points with several sticks
 };
 
-/// Computes the shape. For each stick, `offset` holds the position of the top mass relative to the base, in
-/// R (the radius of the mesh's bounding sphere).
+/// Computes the shape. For each stick, `offset` holds the position of the top relative to the base, in R.
 Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offset);
 
 /// Adds the metrics `gap_median` and `gap_most` to the row, if any surface point has several sticks.

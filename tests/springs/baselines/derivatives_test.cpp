@@ -1,7 +1,5 @@
-// A baseline is another implementation of the solvers: serial C++ loops or the library Eigen. This file tests
-// the backward Euler step of every baseline. A backward Euler step solves a linear system for the change of
-// the velocities. The test computes the matrix of this system by finite differences of the reference's
-// forces. The baseline's change of the velocities must solve the system.
+// Tests the backward Euler step of every baseline, which solves a linear system for the change of the
+// velocities. The test computes the matrix of this system by finite differences of the reference's forces.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"

@@ -1,5 +1,4 @@
-// A baseline is another implementation of the solvers: serial C++ loops or the library Eigen. This file tests
-// that every baseline solves the same equations as the reference. Otherwise the baseline's times could not be
+// Tests that every baseline solves the same equations as the reference. Otherwise its times could not be
 // compared with those of the OpenCL solvers.
 #include <gtest/gtest.h>
 

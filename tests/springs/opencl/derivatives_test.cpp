@@ -1,7 +1,6 @@
 // Tests the backward Euler step of the kernels, which solves a linear system for the change of the
-// velocities. The test computes the matrix of this system by finite differences of the reference's forces.
-// The kernels' change of the velocities must solve the system. This comparison does not use the reference's
-// formulas of the derivatives.
+// velocities. The test computes the matrix of this system by finite differences of the reference's forces,
+// without the reference's formulas of the derivatives.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"

@@ -31,11 +31,9 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
     for (std::size_t i = 0; i < force.size(); ++i) system.push[i] = glm::dvec3(force[i]);
     const reference::State rest = reference::rest(topology);
     const auto offsets = reference::offsets(topology, reference::after(system, rest, 0, steps));
-    EXPECT_GT(largest_difference(reference::offsets(topology, rest), offsets), 0.01)
-        << "something moved";
+    EXPECT_GT(largest_difference(reference::offsets(topology, rest), offsets), 0.01) << "something moved";
 
-    // For shared prisms (adjacent prisms share their sticks) there are two sets of kernels: one for many
-    // work-items and one for a single work-item. Both sets are tested.
+    // Prisms have two sets of kernels: one for many work-items and one for a single work-item.
     std::vector<Whole> mappings{Whole::never};
     if (GetParam().kind == Kind::prisms) mappings.push_back(Whole::always);
     for (const Whole whole : mappings) {
@@ -59,10 +57,9 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
   }
 }
 
-// Tests an irregular mesh: an elephant with as many triangles as in Banisch and Wuethrich (2006). On shared
-// prisms (adjacent prisms share their sticks), compressed springs between tops may buckle in a direction that
-// depends on rounding. A few top masses may therefore have large errors, so the test limits the rms and the
-// 99th percentile of the errors instead of the largest error.
+// Tests an irregular mesh: an elephant with as many triangles as in Banisch and Wuethrich (2006). On prisms,
+// compressed springs between tops may buckle in a direction that depends on rounding, so a few tops may have
+// large errors, and the test limits the rms and the 99th percentile of the errors.
 TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind kind : {Kind::prisms, Kind::separable_prisms})

@@ -30,10 +30,9 @@ double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, doubl
   return most / double(topology.length);
 }
 
-// The device compares the lengths of the sticks with a limit. The result must not depend on how often the
-// host reads the outcome of this comparison. An older version compared the lengths only after every half
-// second of simulated time. It therefore also accepted time steps with which a stick was too long between two
-// comparisons.
+// The result must not depend on how often the host reads the outcome of the device's comparison. An older
+// version compared the lengths only after every half second of simulated time, and accepted time steps with
+// which a stick was too long between two comparisons.
 TEST(LongestStep, DoesNotDependOnTheInterval) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind& kind : {Kind::sticks, Kind::prisms, Kind::separable_prisms}) {

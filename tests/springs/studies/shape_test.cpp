@@ -118,9 +118,8 @@ Shape after_gusts(const Kind& kind, const Mesh& mesh, Gusts gusts) {
   return shape_of(topology, masses.offsets(queue()));
 }
 
-// Separable sticks are sticks that triangles do not share, so several sticks stand at one surface point. By
-// default, all sticks at one surface point have the same constants and the same gusts, so their motions are
-// bitwise equal. If the phase of the gusts differs between triangles, these sticks move apart.
+// Several separable sticks stand at one surface point. By default, they have the same constants and the same
+// gusts, so their motions are bitwise equal. If the gusts differ between triangles, they move apart.
 TEST(Gap, OfSeparableSticksNeedsGustsOfTheTriangles) {
   const Mesh mesh = sphere(1);
   const Shape alike = after_gusts(Kind::separable_sticks, mesh, Gusts::sticks);

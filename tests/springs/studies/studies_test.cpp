@@ -78,7 +78,8 @@ TEST(EqualError, NamesASolverThatMissesTheLimit) {
   EXPECT_GT(metric(row, "explicit-euler_unreached_rms"), 3e-5);
   EXPECT_FALSE(row.metrics.contains("explicit-euler_steps_per_frame"));
   EXPECT_LE(metric(row, "rk4_error_rms"), 3e-5);
-  EXPECT_THROW(solver_turns(queue().device(), {topology, windy(default_solver), {}, 0}, exact, 0), InputError);
+  EXPECT_THROW(solver_turns(queue().device(), {topology, windy(default_solver), {}, 0}, exact, 0),
+               InputError);
 }
 
 TEST(Drift, IsTheErrorOfTheSolver) {
