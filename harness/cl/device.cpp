@@ -10,7 +10,6 @@
 
 #include "harness/cl/buffer.hpp"
 #include "harness/cl/builds.hpp"
-#include "harness/cl/choose.hpp"
 #include "harness/cl/drivers.hpp"
 #include "harness/error.hpp"
 

@@ -70,4 +70,8 @@ std::vector<Device> devices();
 /// there are no devices.
 Device choose_device(std::string_view wanted);
 
+/// Returns the index of the device in the list `all` that choose_device(wanted) chooses. The message of an
+/// InputError begins with `origin`, which says where the user gave the text (--device or PELAGE_DEVICE).
+std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, std::string_view origin);
+
 }  // namespace pelage::cl

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "harness/cl/buffer.hpp"
-#include "harness/cl/sources.hpp"
 
 namespace pelage::cl {
 
@@ -23,6 +22,25 @@ namespace pelage::cl {
 /// exist.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
+
+/// Maps the path of a kernel file, relative to the kernel folder, to the hash of the file's contents.
+using Sources = std::map<std::string, std::uint64_t>;
+/// Maps the path of a kernel file, relative to the kernel folder, to the file's contents.
+using SourceTexts = std::map<std::string, std::string>;
+
+/// Returns the contents of `file` and of every file that it includes, directly or indirectly. Throws
+/// InputError if a file is missing.
+SourceTexts source_texts(const std::filesystem::path& file);
+Sources hashes_of(const SourceTexts& texts);
+/// Returns the hashes of source_texts(file).
+Sources sources_of(const std::filesystem::path& file);
+
+/// Returns 16 hex digits: the FNV-1a hash of the paths and contents of the files.
+std::string hash_of(const Sources& sources);
+
+/// Returns the options without each "-D NAME" and "-D NAME=VALUE" whose NAME no source reads. Such an option
+/// changes nothing in the program, but drivers would compile the program again for each value.
+std::string options_read(const std::string& options, const SourceTexts& sources);
 
 /// What identifies a program: its file in the kernel folder and its build options.
 struct ProgramText {
@@ -99,6 +117,10 @@ class Event {
   std::string kernel_;
   std::size_t bytes_ = 0;
 };
+
+/// One pair per kernel launch, in launch order: the name of the phase, for instance "simulate" or "raster",
+/// and the event of the launch. Event times can be read only after the queue has finished.
+using PhaseEvents = std::vector<std::pair<std::string, Event>>;
 
 class Kernel {
  public:

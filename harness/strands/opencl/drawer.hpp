@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/cl/pair_sort.hpp"
-#include "harness/cl/phases.hpp"
+#include "harness/cl/program.hpp"
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"

@@ -3,7 +3,6 @@
 #include <glm/vec4.hpp>
 #include <string>
 
-#include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/strands/drawing/skin_surface.hpp"
 #include "kernels/strands/draw/params.h"

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "harness/cl/pair_sort.hpp"
-#include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
 #include "kernels/strands/draw/params.h"
 
