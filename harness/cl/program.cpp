@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <mutex>
 #include <utility>
@@ -243,6 +244,11 @@ Event Kernel::enqueue_loop(const Queue& queue, std::size_t count) const {
   const DeviceInfo& device = queue.device().info();
   const std::size_t most = 32 * std::size_t(device.compute_units) * usual_group(device);
   return enqueue(queue, device.cpu ? std::min(count, most) : count);
+}
+
+int whole_exponent(float exponent) {
+  const bool whole = exponent >= 1 && exponent <= 1024 && std::floor(exponent) == exponent;
+  return whole ? int(exponent) : 0;
 }
 
 std::size_t usual_group(const DeviceInfo& device) {

@@ -186,6 +186,15 @@ class Kernel {
   mutable Groups groups_;
 };
 
+/// Copies a vector into an array of a struct that the host passes to kernels.
+template <class V, std::size_t N>
+void copy(float (&to)[N], const V& from) {
+  for (std::size_t i = 0; i < N; ++i) to[i] = from[int(i)];
+}
+
+/// Returns the exponent if it is an integer from 1 to 1024, for which kernels multiply, else 0.
+int whole_exponent(float exponent);
+
 /// The usual number of work-items of a work-group: 1 where a work-item computes several lanes, so that few
 /// work-items are distributed evenly over the cores, and 64 on other devices.
 std::size_t usual_group(const DeviceInfo& device);

@@ -12,7 +12,6 @@
 #include "harness/springs/model/motion.hpp"
 #include "harness/strands/reference/chain.hpp"
 #include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/keyed.hpp"
 #include "harness/strands/scene/skin_frames.hpp"
 
 namespace pelage {

@@ -1,5 +1,3 @@
-#include "harness/springs/model/drawing.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {
 namespace {

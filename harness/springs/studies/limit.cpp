@@ -1,5 +1,3 @@
-#include "harness/springs/studies/limit.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,5 +1,3 @@
-#include "harness/springs/studies/shape.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

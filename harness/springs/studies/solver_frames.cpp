@@ -10,7 +10,7 @@
 #include "harness/measure/statistics.hpp"
 #include "harness/measure/turns.hpp"
 #include "harness/springs/studies/base.hpp"
-#include "harness/springs/studies/shape.hpp"
+#include "harness/springs/studies/study.hpp"
 
 namespace pelage::springs {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include "harness/cl/device.hpp"
+#include "harness/cl/buffer.hpp"
 #include "harness/measure/subject.hpp"
 #include "harness/springs/baselines/baselines.hpp"
 
@@ -46,5 +46,43 @@ std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting,
                                       double most_error);
 std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact);
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative);
+
+/// A time step is too long if a stick reaches this many rest lengths after any step.
+inline constexpr float most_stick = 2;
+/// Duration, in seconds, of the simulation that tests a time step. The simulation starts at rest. In a stable
+/// simulation, no stick reaches `most_stick` rest lengths.
+inline constexpr double limit_seconds = 2;
+
+struct Limit {
+  /// Longest stable time step in seconds, with a relative error of at most 2%. Steps above 1 s are not tried.
+  /// The value is 0 if even a step of about 15 us is too long.
+  double step = 0;
+  double longest = 0;  ///< greatest length of a stick in the simulation with `step`, in rest lengths
+  int tried = 0;       ///< number of time steps that were tried
+};
+
+/// Finds the longest stable time step by bisection. After every step, the kernels compare the length of every
+/// stick with `most_stick`. The host reads the outcome about every `look` seconds of simulated time, which
+/// only determines how soon an unstable simulation ends.
+Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
+                   double look = 1.0 / 60);
+
+struct Shape {
+  /// Median, smallest and largest angle between a stick and the surface normal at its base, in degrees.
+  double lean_median = 0, lean_least = 0, lean_most = 0;
+  /// Smallest height of a top mass above the tangent plane of the surface at the stick's base, in fur
+  /// lengths. The value is negative if the mass has moved through the surface.
+  double height_least = 0;
+  /// Median and largest gap, in fur lengths. The gap at a surface point is the largest distance between the
+  /// tops of two sticks at this point. Both are 0 if no point has several sticks.
+  double gap_median = 0, gap_most = 0;
+  std::size_t gap_points = 0;  ///< number of surface points with several sticks
+};
+
+/// Computes the shape. For each stick, `offset` holds the position of the top relative to the base, in R.
+Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offset);
+
+/// Adds the metrics `gap_median` and `gap_most` to the row, if any surface point has several sticks.
+void describe_gap(const Shape& shape, Row& row);
 
 }  // namespace pelage::springs

@@ -10,10 +10,11 @@
 
 #include "harness/error.hpp"
 #include "harness/strands/drawing/detail.hpp"
-#include "harness/strands/opencl/copy.hpp"
 
 namespace pelage::strands {
 namespace {
+
+using cl::copy;
 
 constexpr std::size_t slice = 16;
 constexpr int most_chunks = 65536, most_layers = 256;
@@ -23,12 +24,6 @@ int chunks_of(const cl::Device& device, int wanted) {
     throw InputError(fmt::format("chunks: {}; give 1 to {}, or 0 for the default", wanted, most_chunks));
   if (wanted > 0) return wanted;
   return device.info().cpu ? 16 : 1024;
-}
-
-/// The exponent if it is an integer from 1 to 1024, else 0.
-int whole_exponent(float exponent) {
-  const bool whole = exponent >= 1 && exponent <= 1024 && std::floor(exponent) == exponent;
-  return whole ? int(exponent) : 0;
 }
 
 DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
@@ -64,7 +59,7 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   p.intensity = look.intensity;
   p.ambient = look.ambient;
   p.exponent = look.exponent;
-  p.whole_exponent = whole_exponent(look.exponent);
+  p.whole_exponent = cl::whole_exponent(look.exponent);
   copy(p.specular, look.specular);
   copy(p.background, look.background);
   const Irradiance fill = irradiance_of(look);

@@ -11,8 +11,8 @@
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
-#include "harness/strands/opencl/drawer_options.hpp"
 #include "harness/strands/opencl/opacity_map.hpp"
+#include "harness/strands/opencl/program_texts.hpp"
 #include "harness/strands/opencl/skin_drawer.hpp"
 #include "harness/strands/opencl/tile_lists.hpp"
 

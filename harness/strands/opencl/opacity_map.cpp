@@ -7,10 +7,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "harness/strands/opencl/copy.hpp"
-
 namespace pelage::strands {
 namespace {
+
+using cl::copy;
 
 /// The parameters of the map. `params` are those of the picture.
 DrawParams map_params(DrawParams params, const LightView& view, int lanes, int tile) {

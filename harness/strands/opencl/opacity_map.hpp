@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/strands/drawing/light_view.hpp"
+#include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/opencl/program_texts.hpp"
 #include "harness/strands/opencl/tile_lists.hpp"
 

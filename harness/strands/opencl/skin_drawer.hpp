@@ -4,7 +4,7 @@
 #include <string>
 
 #include "harness/cl/program.hpp"
-#include "harness/strands/drawing/skin_surface.hpp"
+#include "harness/strands/drawing/drawing.hpp"
 #include "kernels/strands/draw/params.h"
 
 namespace pelage::strands {

@@ -6,9 +6,14 @@
 
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
-#include "harness/strands/drawing/skin_surface.hpp"
+#include "harness/strands/drawing/keyed.hpp"
 
 namespace pelage::strands::reference {
+
+/// Returns the curve of a strand between three of the key strands `keys`. `first_segment` is the length of
+/// the first segment in lengths of the strand, above 0 and below 1. The strand's rank is the number of its
+/// fur layer; the caller knows the look, and replaces the rank if the look orders the layers differently.
+DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment);
 
 /// Returns the alpha of strand `number` at the parameter t of its curve.
 double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "harness/strands/drawing/drawing.hpp"
-#include "harness/strands/drawing/light_view.hpp"
 
 namespace pelage::strands::reference {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "harness/strands/drawing/drawing.hpp"
-#include "harness/strands/drawing/skin_surface.hpp"
 #include "harness/strands/reference/opacity_map.hpp"
 
 namespace pelage::strands::reference {

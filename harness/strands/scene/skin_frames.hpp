@@ -5,7 +5,7 @@
 
 #include "harness/scene/scene.hpp"
 #include "harness/strands/body/skin.hpp"
-#include "harness/strands/drawing/skin_surface.hpp"
+#include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {

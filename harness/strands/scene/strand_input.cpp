@@ -8,7 +8,7 @@
 #include "harness/prepare/camera.hpp"
 #include "harness/prepare/texture_cache.hpp"
 #include "harness/strands/drawing/detail.hpp"
-#include "harness/strands/groom/fur_cache.hpp"
+#include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -6,7 +6,6 @@
 #include "harness/prepare/frame_input.hpp"
 #include "harness/strands/chain/chain.hpp"
 #include "harness/strands/drawing/drawing.hpp"
-#include "harness/strands/drawing/skin_surface.hpp"
 #include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {

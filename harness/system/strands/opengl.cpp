@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "harness/strands/opengl/ribbon_options.hpp"
 #include "harness/strands/opengl/ribbons.hpp"
 #include "harness/system/backend_parts.hpp"
 #include "harness/system/strands/backends.hpp"

@@ -1,11 +1,10 @@
 // Tests longest_step(), which finds the longest stable time step.
-#include "harness/springs/studies/limit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
 #include "harness/springs/reference/reference.hpp"
+#include "harness/springs/studies/study.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"

@@ -1,7 +1,5 @@
 // Compares the lean of fur at rest and in wind with the angle at which the moments are in balance. Also tests
 // the gaps between the tops of the sticks at one surface point.
-#include "harness/springs/studies/shape.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +12,7 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
+#include "harness/springs/studies/study.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"

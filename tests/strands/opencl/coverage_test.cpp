@@ -8,7 +8,7 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/opencl/strands.hpp"
-#include "tests/strands/support/device_picture.hpp"
+#include "tests/strands/support/strands.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::strands {
@@ -17,7 +17,7 @@ namespace {
 double coverage_of(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
   Strands strands(cl::choose_device(""), prepare_strands(scene, mesh));
   strands.still();
-  return mean_coverage(strands.read());
+  return test::mean_coverage(strands.read());
 }
 
 TEST(StrandCoverage, IsKeptIfStrandsAreLeftOut) {

@@ -129,9 +129,9 @@ TEST(StrandDetail, CoverageIsKept) {
   for (const auto& [fraction, distance] :
        {std::pair(0.5f, 5.0f), std::pair(0.25f, 7.0f), std::pair(0.1f, 12.0f)}) {
     drawer.set_view(view_of(1, {0, 0, distance}));
-    const double all = mean_coverage(drawn_with(drawer, ball.keys));
+    const double all = test::mean_coverage(drawn_with(drawer, ball.keys));
     drawer.set_view(view_of(fraction, {0, 0, distance}));
-    EXPECT_NEAR(mean_coverage(drawn_with(drawer, ball.keys)), all, 0.01 * all) << fraction;
+    EXPECT_NEAR(test::mean_coverage(drawn_with(drawer, ball.keys)), all, 0.01 * all) << fraction;
   }
 }
 

@@ -1,5 +1,5 @@
-// Tests the level of detail of docs/strands.md in a clip: strands that appear and vanish must not flicker,
-// and a part of the strands has the mean coverage of all strands. The camera moves away from a model in 120
+// Tests the limits of docs/strands.md (Level of detail): strands that appear and vanish must not flicker, and
+// a part of the strands has the mean coverage of all strands. The camera moves away from a model in 120
 // frames, from the distance at which the mean width of all strands is `least` pixels to ten times this
 // distance, so that the drawn part of the strands falls from 100% to 10%.
 #include <gtest/gtest.h>
@@ -116,8 +116,8 @@ TEST_P(Dolly, HardlyPopsAndKeepsItsCoverage) {
   const double nearest = views.distance_of_width(least);
   for (const float fraction : {0.5f, 0.25f, 0.1f})
     for (const double distance : {1.0, nearest / double(fraction)}) {
-      const double all = mean_coverage(views.draw(distance, 1));
-      EXPECT_NEAR(mean_coverage(views.draw(distance, fraction)), all, 0.01 * all) << fraction;
+      const double all = test::mean_coverage(views.draw(distance, 1));
+      EXPECT_NEAR(test::mean_coverage(views.draw(distance, fraction)), all, 0.01 * all) << fraction;
     }
   Popping part, all;
   for (int t = 0; t < frames; ++t) {

@@ -1,5 +1,7 @@
 // Compares the device's pictures of strands with the double-precision reference: the control points, the list
 // of strands to draw, and the picture. The device must also give equal bits for every division of the work.
+#include "harness/strands/reference/drawing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
-#include "harness/strands/reference/keyed.hpp"
 #include "tests/strands/support/device_picture.hpp"
 
 namespace pelage::strands {

@@ -62,11 +62,4 @@ inline void expect_reference_picture(const DrawingScene& scene, const DevicePict
   EXPECT_TRUE(within(found)) << found.psnr << " dB, 99.9th percentile " << found.p999;
 }
 
-/// Returns the mean alpha of the pixels.
-inline double mean_coverage(const Picture& picture) {
-  double sum = 0;
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
-  return sum / double(picture.pixel.size());
-}
-
 }  // namespace pelage::strands
