@@ -74,4 +74,10 @@ class Buffer {
   std::size_t count_ = 0;
 };
 
+/// Returns a new buffer with a copy of the values.
+template <class T>
+Buffer<T> uploaded(const Queue& queue, const std::vector<T>& values) {
+  return {queue, values};
+}
+
 }  // namespace pelage::cl

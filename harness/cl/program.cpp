@@ -251,6 +251,19 @@ int whole_exponent(float exponent) {
   return whole ? int(exponent) : 0;
 }
 
+int lanes_of(const DeviceInfo& device, int wanted) {
+  if (wanted != 0 && wanted != 1 && wanted != 16)
+    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", wanted));
+  return wanted != 0 ? wanted : device.lanes;
+}
+
+int units_per_item(const DeviceInfo& device, int lanes, int units, int wanted) {
+  if (wanted > 0) return wanted * (16 / lanes);
+  if (lanes == 1) return 1;
+  const int items = 8 * std::max(1, int(device.compute_units));
+  return std::clamp((units + items - 1) / items, 1, 64);
+}
+
 std::size_t usual_group(const DeviceInfo& device) {
   return device.lanes > 1 ? 1 : 64;
 }

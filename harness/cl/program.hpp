@@ -195,6 +195,16 @@ void copy(float (&to)[N], const V& from) {
 /// Returns the exponent if it is an integer from 1 to 1024, for which kernels multiply, else 0.
 int whole_exponent(float exponent);
 
+/// Returns `wanted`, or the device's number of lanes if `wanted` is 0. Throws InputError unless `wanted` is
+/// 0, 1 or 16.
+int lanes_of(const DeviceInfo& device, int wanted);
+
+/// Returns the number of units per work-item. A unit is `lanes` sticks, strands or triangles, which a
+/// work-item computes at a time, and `units` is their number. On a CPU the units are divided among about 8
+/// work-items per core, with at most 64 units per work-item; on a GPU a work-item computes one unit.
+/// `wanted`: number of slices of 16 per work-item; 0: the device's default.
+int units_per_item(const DeviceInfo& device, int lanes, int units, int wanted);
+
 /// The usual number of work-items of a work-group: 1 where a work-item computes several lanes, so that few
 /// work-items are distributed evenly over the cores, and 64 on other devices.
 std::size_t usual_group(const DeviceInfo& device);

@@ -43,9 +43,6 @@ struct Dynamics {
 /// vector. The message is one line that names the value and the valid range.
 void check(const Dynamics& dynamics);
 
-/// Returns whether the object rotates. The coordinate frame of a rotating object is not inertial.
-bool turns(const Dynamics& dynamics);
-
 /// Returns wind, gravity and the object's motion at the times (first + i / 2) * dt for i = 0 to 2 * substeps,
 /// where `first` is the index of the first step and dt is the time step. All values are computed in double
 /// precision and then rounded to float.

@@ -45,11 +45,8 @@ Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology) 
   d.residual = scene.springs.residual;
   d.full_jacobian = scene.springs.jacobian == "full";
   d.gravity = scene.gravity;
-  const WindScene& wind = scene.wind;
-  d.wind = {wind.direction, scene.drag > 0 ? wind.strength / scene.drag : 0, wind.gust, wind.frequency,
-            wind.wavelength};
-  const MotionScene& m = scene.motion;
-  d.motion = {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+  d.wind = wind_of(scene.wind, scene.drag);
+  d.motion = motion_of(scene.motion);
   if (scene.springs.reference_area > 0) {
     const auto share = float(topology.stick_area / double(scene.springs.reference_area));
     for (float* constant : {&d.mass, &d.stiffness, &d.damping, &d.drag, &d.return_weight}) *constant *= share;

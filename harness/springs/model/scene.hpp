@@ -9,12 +9,10 @@
 
 namespace pelage::springs {
 
-/// Converts the scene's dynamics to the parameters of the mass-spring solvers. The wind's speed is
-/// wind.strength / drag of the scene, or 0 if drag is 0: a wind of this speed exerts the force wind.strength
-/// on a mass at rest, as on a face spring. If springs.reference_area of the scene is above 0, the constants
-/// of a stick (mass, stiffness, damping, drag, weight of the return force) are multiplied by the topology's
-/// mean surface area per stick, divided by the reference area. The constants of the springs between tops do
-/// not change.
+/// Converts the scene's dynamics to the parameters of the mass-spring solvers. If springs.reference_area of
+/// the scene is above 0, the constants of a stick (mass, stiffness, damping, drag, weight of the return
+/// force) are multiplied by the topology's mean surface area per stick, divided by the reference area. The
+/// constants of the springs between tops do not change.
 Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology);
 
 /// Builds the masses and springs of the scene's topology, with Vertices::points. Throws InputError if

@@ -36,15 +36,6 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
   return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
-// On a CPU the units are divided among about 8 work-items per core, with at most 64 units per work-item. On a
-// GPU a work-item computes one unit.
-int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
-  if (wanted > 0) return wanted * (16 / lanes);
-  if (lanes == 1) return 1;
-  const int items = 8 * std::max(1, int(device.compute_units));
-  return std::clamp((units + items - 1) / items, 1, 64);
-}
-
 std::string build_options(int lanes, bool turning) {
   return fmt::format("-D LANES={} -D TURNING={}", lanes, int(turning));
 }
@@ -52,7 +43,7 @@ std::string build_options(int lanes, bool turning) {
 BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
                        bool whole, const MassSpringOptions& options)
     : program_(queue.device(), "springs/blocks.cl",
-               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics)),
+               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics.motion)),
                            corners_of(layout, dynamics.solver, lanes), int(layout.corners == 3))),
       frame_(program_, frame_kernel(dynamics.solver)),
       sides_(queue, std::span(layout.sides)),
@@ -60,7 +51,7 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynam
       blocks_(layout.slices / corners_of(layout, dynamics.solver, lanes)),
       units_(blocks_ * (16 / lanes)),
       per_item_(whole ? units_
-                      : units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
+                      : cl::units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
 
 void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
                          std::vector<cl::Event>* launches) {

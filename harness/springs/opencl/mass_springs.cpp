@@ -53,9 +53,9 @@ struct MassSprings::State {
     const int count = std::max(substeps, 512);
     const std::vector<Moment> table = moments(dynamics, steps, count);
     if (buffers.moments.size() != table.size())
-      buffers.moments = cl::Buffer<Moment>(queue, std::span<const Moment>(table));
+      buffers.moments = cl::uploaded(queue, table);
     else
-      buffers.moments.write(queue, std::span<const Moment>(table));
+      buffers.moments.write(queue, table);
     known_from = steps;
     known_to = steps + count;
   }
@@ -76,9 +76,7 @@ struct MassSprings::State {
 MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
                          const MassSpringOptions& options) {
   springs::check(dynamics);
-  if (options.lanes != 0 && options.lanes != 1 && options.lanes != 16)
-    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", options.lanes));
-  const int lanes = options.lanes != 0 ? options.lanes : queue.device().info().lanes;
+  const int lanes = cl::lanes_of(queue.device().info(), options.lanes);
   Layout layout = lay_out(topology, dynamics.wind);
   const bool prisms = topology.kind.shared_edges();
   if (dynamics.solver.implicit && dynamics.full_jacobian)
@@ -86,16 +84,13 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
         "dynamics.springs.jacobian = \"full\": only the reference has it (--pipeline reference); use "
         "\"pruned\"");
   const std::size_t places = layout.places();
-  const auto uploaded = [&](const std::vector<float>& values) {
-    return cl::Buffer<float>(queue, std::span<const float>(values));
-  };
   const std::vector<std::int32_t> all_never(places, never);
   Buffers buffers{{},
-                  uploaded(layout.sites),
-                  uploaded(std::vector<float>(3 * places, 0.0f)),
-                  uploaded(layout.offset),
-                  uploaded(std::vector<float>((prisms ? 4 : 3) * places, 0.0f)),
-                  cl::Buffer<std::int32_t>(queue, std::span(all_never)),
+                  cl::uploaded(queue, layout.sites),
+                  cl::uploaded(queue, std::vector<float>(3 * places, 0.0f)),
+                  cl::uploaded(queue, layout.offset),
+                  cl::uploaded(queue, std::vector<float>((prisms ? 4 : 3) * places, 0.0f)),
+                  cl::uploaded(queue, all_never),
                   cl::Buffer<std::int32_t>(queue, std::span(all_never).first(1))};
   state_ = std::make_unique<State>(State{dynamics,
                                          std::move(layout),
@@ -139,10 +134,10 @@ void MassSprings::set(const cl::Queue& queue, const std::vector<glm::vec3>& offs
       v[s.prisms ? 4 * place + c : column_of(place, 3, c)] = speeds[i][int(c)];
     }
   }
-  s.buffers.offset.write(queue, std::span<const float>(q));
-  s.buffers.speed.write(queue, std::span<const float>(v));
+  s.buffers.offset.write(queue, q);
+  s.buffers.speed.write(queue, v);
   const std::vector<std::int32_t> all_never(s.layout.places(), never);
-  s.buffers.diverged_at.write(queue, std::span(all_never));
+  s.buffers.diverged_at.write(queue, all_never);
   s.buffers.first.write(queue, std::span(all_never).first(1));
   if (s.prisms) s.prisms->set(queue, s.layout, q);
   s.steps = steps;
@@ -173,7 +168,7 @@ void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& for
           "local force on stick {}: ({}, {}, {}) N; all three components must be finite", i, f.x, f.y, f.z));
     for (std::size_t c = 0; c < 3; ++c) columns[column_of(s.layout.place[i], 3, c)] = f[int(c)];
   }
-  s.buffers.push.write(queue, std::span<const float>(columns));
+  s.buffers.push.write(queue, columns);
   s.params.pushed = 1;
 }
 

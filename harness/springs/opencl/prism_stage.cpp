@@ -67,11 +67,11 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       residual_(double(dynamics.residual)),
       most_iterations_(dynamics.most_iterations),
       program_(queue.device(), file_of(solver_),
-               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes, turns(dynamics)),
+               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes, turns(dynamics.motion)),
                            int(queue.device().info().fp64))),
       group_(options.group),
       units_(layout.slices * (16 / lanes)),
-      per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
+      per_item_(cl::units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
       per_chunk_(whole ? units_ : ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
       chunks_(ceiling(units_, per_chunk_)),
       double_sums_(queue.device().info().fp64),
@@ -81,14 +81,11 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
   for (const char* name : kernels_of(solver_, whole_)) kernels_.emplace_back(program_, name);
   const std::size_t places = layout.places();
   const auto floats = [&](std::size_t columns) {
-    return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
-  };
-  const auto uploaded = [&](const std::vector<float>& values) {
-    return cl::Buffer<float>(queue, std::span<const float>(values));
+    return cl::uploaded(queue, std::vector<float>(columns * places, 0.0f));
   };
   if (solver_.implicit) {
-    root_ = uploaded(rows(layout.sites, SITE_COLUMNS, SITE_ROOT));
-    reach_ = uploaded(rows(layout.offset, 3, 0));
+    root_ = cl::uploaded(queue, rows(layout.sites, SITE_COLUMNS, SITE_ROOT));
+    reach_ = cl::uploaded(queue, rows(layout.offset, 3, 0));
     diagonal_ = floats(6), inverse_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4),
     along_ = floats(3);
     coupling_ = cl::Buffer<float>(queue.device(), 3 * layout.neighbour.size());
@@ -96,7 +93,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
                        std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
     solved_ = cl::Buffer<float>(queue.device(), SOLVED);
   } else {
-    tip_ = uploaded(tips(layout, layout.offset));
+    tip_ = cl::uploaded(queue, tips(layout, layout.offset));
     other_tip_ = floats(4), other_speed_ = floats(4);
     if (solver_.multistage())
       spare_tip_ = floats(4), spare_speed_ = floats(4), stage_offset_ = floats(3), sum_offset_ = floats(3),
@@ -105,9 +102,9 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
 }
 
 void PrismStage::set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset) {
-  if (!solver_.implicit) return tip_.write(queue, std::span<const float>(tips(layout, offset)));
-  reach_.write(queue, std::span<const float>(rows(offset, 3, 0)));
-  change_.write(queue, std::span<const float>(std::vector<float>(change_.size(), 0.0f)));
+  if (!solver_.implicit) return tip_.write(queue, tips(layout, offset));
+  reach_.write(queue, rows(offset, 3, 0));
+  change_.write(queue, std::vector<float>(change_.size(), 0.0f));
 }
 
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {

@@ -26,12 +26,6 @@ struct Buffers {
 /// object rotates.
 std::string build_options(int lanes, bool turning);
 
-/// Returns the number of units per work-item. A unit is what a work-item computes at a time: `lanes`
-/// triangles of separable-prisms, otherwise `lanes` sticks of one slice or of each of two slices. `units` is
-/// their number in the whole model. `wanted` is MassSpringOptions::blocks_per_item, a number of slices; 0:
-/// the device's default.
-int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
-
 /// Computes time steps of all topologies but prisms. One launch computes all substeps of all sticks. If
 /// `whole` is set, the launch has a single work-item.
 class BlockStage {

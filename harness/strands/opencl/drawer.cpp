@@ -135,8 +135,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
       key_bits_(key_bits_of(strands_, layers_)) {
   if (strands.empty()) throw InputError("strands: there are none; at least one is needed");
   const cl::Device& device = queue.device();
-  const std::vector<float> table = keyed_columns(strands, keys);
-  constants_ = cl::Buffer<float>(queue, std::span<const float>(table));
+  constants_ = cl::uploaded(queue, keyed_columns(strands, keys));
   keys_ = cl::Buffer<float>(device, (keys + slice - 1) / slice * slice * KEY_RECORD);
   const std::size_t padded = (strands.size() + slice - 1) / slice * slice;
   params_.runs = sort_.runs();
@@ -144,8 +143,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   params_.capacity = params_.units_per_run * layout_.lanes;
   set_pruning(scene.look);
   rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
-  const std::vector<std::int32_t> film = film_table(scene.look);
-  film_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(film));
+  film_ = cl::uploaded(queue, film_table(scene.look));
   layer_table_ = cl::Buffer<std::int32_t>(device, std::size_t(most_layers) * LAYER_RECORD);
   curves_ = cl::Buffer<float>(device, 1);
   blocks_ = cl::Buffer<std::uint64_t>(device, padded);
@@ -197,8 +195,7 @@ void Drawer::set_view(const DrawingScene& scene) {
 
 void Drawer::write_layers(const cl::Queue& queue) {
   if (layers_written_) return;
-  const std::vector<std::int32_t> table = layer_table(layers_);
-  layer_table_.write(queue, table);
+  layer_table_.write(queue, layer_table(layers_));
   layers_written_ = true;
 }
 

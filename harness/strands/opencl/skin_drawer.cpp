@@ -28,11 +28,6 @@ std::vector<std::int32_t> flat(const std::vector<glm::uvec3>& triangles) {
   return values;
 }
 
-template <class T>
-cl::Buffer<T> on_device(const cl::Queue& queue, const std::vector<T>& values) {
-  return cl::Buffer<T>(queue, std::span<const T>(values));
-}
-
 /// Room for `count` elements in groups of at most 16.
 std::size_t padded(std::size_t count) {
   return (count + 15) / 16 * 16;
@@ -55,10 +50,10 @@ SkinDrawer::SkinDrawer(const cl::Queue& queue, const DrawParams& params, const S
   if (triangles_ == 0) throw InputError("skin of the strands: no triangles; give at least one");
   const cl::Device& device = queue.device();
   const std::size_t pixels = padded(std::size_t(params.width) * std::size_t(params.height));
-  position_ = on_device(queue, flat(skin.position));
-  normal_ = on_device(queue, flat(skin.normal));
-  colour_ = on_device(queue, flat(skin.colour));
-  index_ = on_device(queue, flat(skin.triangle));
+  position_ = cl::uploaded(queue, flat(skin.position));
+  normal_ = cl::uploaded(queue, flat(skin.normal));
+  colour_ = cl::uploaded(queue, flat(skin.colour));
+  index_ = cl::uploaded(queue, flat(skin.triangle));
   vertex_ = cl::Buffer<float>(device, padded(skin.position.size()) * vertex_record);
   owner_ = cl::Buffer<std::int32_t>(device, pixels);
   depth_ = cl::Buffer<std::uint32_t>(device, pixels);

@@ -20,8 +20,7 @@ TileLists::TileLists(const cl::Queue& queue, const DrawParams& params, const cl:
   length_ = cl::Buffer<std::int32_t>(device, tiles);
   list_start_ = cl::Buffer<std::int32_t>(device, tiles + 1);
   taken_ = cl::Buffer<std::int32_t>(device, 1);
-  const std::vector<std::uint16_t> unknown(tiles * 16, 0);  // one number for each row of blocks
-  blank_ = cl::Buffer<std::uint16_t>(queue, std::span<const std::uint16_t>(unknown));
+  blank_ = cl::uploaded(queue, std::vector<std::uint16_t>(tiles * 16, 0));  // a number for each row of blocks
 }
 
 void TileLists::enqueue(const cl::Queue& queue, const DrawParams& params,
