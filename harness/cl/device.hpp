@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace pelage::cl {
@@ -25,6 +26,17 @@ struct DeviceInfo {
 
   std::string spec() const;  ///< platform index and device index, such as "0:0", as --device accepts them
 };
+
+/// Owns an object of OpenCL, and calls `release` to release it.
+template <auto release>
+struct Release {
+  template <class T>
+  void operator()(T* object) const {
+    release(object);
+  }
+};
+template <class Handle, auto release>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>;
 
 class Builds;
 

@@ -50,11 +50,7 @@ struct ProgramText {
 
 /// A program after its build.
 struct BuiltProgram {
-  BuiltProgram() = default;
-  ~BuiltProgram();
-  BuiltProgram(const BuiltProgram&) = delete;
-  BuiltProgram& operator=(const BuiltProgram&) = delete;
-  cl_program program = nullptr;
+  Owned<cl_program, clReleaseProgram> program;
   ProgramText text;  ///< with the options that the sources read
   std::string log;
   Sources sources;
@@ -75,7 +71,7 @@ class Program {
       : Program(device, ProgramText{file, options}) {}
   Program(Program&&) noexcept = default;
   Program& operator=(Program&&) noexcept = default;
-  cl_program get() const { return built_->program; }
+  cl_program get() const { return built_->program.get(); }
   const std::string& log() const { return built_->log; }
   double build_ms() const { return built_->build_ms; }
   const ProgramText& text() const { return built_->text; }  ///< with the options that the sources read
@@ -102,18 +98,15 @@ class Event {
   Event() = default;
   explicit Event(cl_event event, std::string kernel = {}, std::size_t bytes = 0)
       : event_(event), kernel_(std::move(kernel)), bytes_(bytes) {}
-  ~Event();
-  Event(Event&& other) noexcept;
-  Event& operator=(Event&& other) noexcept;
   /// Waits for the end of the command and returns its duration in ms. The result is empty if the device's
   /// timer is unusable (its resolution is 0, or the end of the command is not after its start).
   std::optional<double> milliseconds(const Device& device) const;
-  cl_event get() const { return event_; }
+  cl_event get() const { return event_.get(); }
   const std::string& kernel() const { return kernel_; }  ///< name of the kernel that was launched
   std::size_t bytes() const { return bytes_; }  ///< sum of the sizes of the kernel's buffer arguments
 
  private:
-  cl_event event_ = nullptr;
+  Owned<cl_event, clReleaseEvent> event_;
   std::string kernel_;
   std::size_t bytes_ = 0;
 };
@@ -125,9 +118,6 @@ using PhaseEvents = std::vector<std::pair<std::string, Event>>;
 class Kernel {
  public:
   Kernel(const Program& program, const std::string& name);
-  ~Kernel();
-  Kernel(Kernel&& other) noexcept;
-  Kernel& operator=(Kernel&& other) noexcept;
 
   /// Sets all arguments in order. An argument is a Buffer<T>, a Memory, or a trivially copyable value (a
   /// number or a struct of params.h).
@@ -180,7 +170,7 @@ class Kernel {
   void set_memory(cl_uint index, cl_mem memory);
   void set_bytes(cl_uint index, std::size_t bytes, const void* value);
 
-  cl_kernel kernel_ = nullptr;
+  Owned<cl_kernel, clReleaseKernel> kernel_;
   std::string name_;
   std::size_t bytes_ = 0;
   mutable Groups groups_;
