@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/springs/opencl/stages.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
 
 namespace pelage::springs {
 namespace {

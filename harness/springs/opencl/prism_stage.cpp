@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "harness/springs/opencl/stages.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
 
 namespace pelage::springs {
 namespace {
