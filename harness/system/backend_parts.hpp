@@ -2,7 +2,7 @@
 #pragma once
 #include <fmt/format.h>
 
-#include "harness/cl/build_ahead.hpp"
+#include "harness/cl/builds.hpp"
 #include "harness/system/system.hpp"
 
 namespace pelage {

@@ -1,9 +1,11 @@
 // The double-precision reference for the mass-spring solvers of Banisch and Wuethrich 2006. It computes each
 // mass and each spring separately, as in the paper, and shares no code with the kernels.
 #pragma once
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "harness/prepare/frame_input.hpp"
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
 
@@ -64,3 +66,17 @@ double total_energy(const System& system, const State& state);
 std::vector<glm::dvec3> offsets(const SpringNetwork& topology, const State& state);
 
 }  // namespace pelage::springs::reference
+
+namespace pelage::springs {
+
+/// State of a selection of sticks after some frames that start from rest.
+struct SomeSticks {
+  std::vector<std::uint32_t> stick;  ///< indices of the sticks, ascending
+  std::vector<glm::dvec3> offset;    ///< per stick: position of the top mass relative to the base, in R
+  std::vector<glm::dvec3> velocity;  ///< per stick: velocity of the top mass in R/s, in the object's frame
+};
+/// Computes the state of about `count` sticks with evenly spaced indices, or of all sticks of the topology
+/// prisms, in which each stick depends on all others.
+SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count);
+
+}  // namespace pelage::springs

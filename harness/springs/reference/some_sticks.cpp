@@ -1,4 +1,3 @@
-#include "harness/springs/reference/some_sticks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,22 +1,133 @@
 // Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
 #pragma once
+#include <algorithm>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/cl/pair_sort.hpp"
 #include "harness/cl/program.hpp"
+#include "harness/cl/radix_sort.hpp"
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
-#include "harness/strands/opencl/opacity_map.hpp"
 #include "harness/strands/opencl/program_texts.hpp"
-#include "harness/strands/opencl/skin_drawer.hpp"
-#include "harness/strands/opencl/tile_lists.hpp"
+#include "kernels/strands/draw/params.h"
 
 namespace pelage::strands {
+
+/// The memory on the device that the drawing of a picture reads and writes besides the strands.
+class TileLists {
+ public:
+  /// `options`: build options of the kernels, for one lane. params.tiles_x, tiles_y and chunks must be set.
+  TileLists(const cl::Queue& queue, const DrawParams& params, const cl::ProgramText& text);
+
+  /// Enqueues the kernels that write the lists. They read the first total[0] pairs. The launches belong to
+  /// the phase `phase`. The host waits once, because it needs the total length of the lists to allocate them.
+  /// Throws DeviceError if the total length is 2^31 or more.
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<std::int32_t>& total,
+               const cl::Buffer<std::uint64_t>& blocks, const cl::Buffer<cl::Pair>& pairs, const char* phase,
+               cl::PhaseEvents* events);
+
+  /// Enqueues the kernel that draws the tiles. `group`: a work-group draws a tile of `tile` x `tile` pixels;
+  /// otherwise a work-item draws one tile after the other. rows, film, map, skin: see strand_tiles
+  /// (tile.cl).
+  cl::Event draw(const cl::Queue& queue, cl::Kernel& kernel, bool group, int tile, const DrawParams& params,
+                 const cl::Buffer<float>& rows, const cl::Buffer<std::int32_t>& film,
+                 const cl::Buffer<glm::vec4>& map, const cl::Buffer<glm::vec4>& skin,
+                 cl::Buffer<glm::vec4>& image) {
+    kernel.with(params, rows, film, map, list_start_, list_, spot_, skin, image, taken_, blank_);
+    // With one tile per work-item, a work-item draws tiles until no tile is left.
+    const std::size_t tiles = length_.size(), pixels = std::size_t(tile) * std::size_t(tile);
+    const std::size_t items = std::min(tiles, 32 * std::size_t(queue.device().info().compute_units));
+    return group ? kernel.enqueue(queue, tiles * pixels, pixels) : kernel.enqueue(queue, items, 1);
+  }
+
+  /// Number of strands in the lists. A strand counts once per tile.
+  std::size_t listed() const { return listed_; }
+  const cl::Program& program() const { return program_; }
+
+ private:
+  cl::Program program_;
+  cl::Kernel count_, sum_, start_, fill_;
+  cl::Buffer<std::int32_t> chunk_count_, length_, list_start_, list_, taken_;
+  cl::Buffer<std::uint16_t> spot_, blank_;
+  std::size_t listed_ = 0;
+};
+
+/// The buffers of a picture that its opacity map also uses.
+struct PictureBuffers {
+  const cl::Buffer<float>&constants, &keys;
+  const cl::Buffer<std::int32_t>&layers, &film;
+};
+
+class OpacityMap {
+ public:
+  /// `kinds`, `picture`: of the picture for which the map is made. params.chunks and runs must be set, and
+  /// `padded` is the number of strands, rounded up to a multiple of 16.
+  OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view,
+             const PictureKinds& kinds, const DrawerLayout& picture, std::size_t padded);
+
+  /// Enqueues the kernels that draw the map, all in the phase `shadow`. `params` describes the picture.
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
+               const PictureBuffers& buffers, cl::PhaseEvents* events);
+
+  /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), 1 / D in 1/R
+  /// (docs/strands.md, section Shadow), transmittance 1 - A, and 0.
+  const cl::Buffer<glm::vec4>& texels() const { return texels_; }
+  std::size_t listed() const { return lists_.listed(); }  ///< see Drawer::listed()
+  std::vector<const cl::Program*> programs() const;
+
+ private:
+  DrawerLayout layout_;
+  PictureTexts texts_;
+  cl::Program key_program_, draw_program_;
+  cl::Kernel make_keys_, draw_;
+  TileLists lists_;
+  cl::Buffer<float> rows_, curves_;
+  cl::Buffer<std::uint64_t> blocks_;
+  cl::Buffer<cl::Pair> pairs_;
+  cl::Buffer<std::int32_t> live_, total_;
+  cl::Buffer<glm::vec4> texels_, no_map_;
+  cl::Buffer<glm::vec4> no_skin_;
+  int strands_ = -1;  ///< the number in total_
+};
+
+/// Sets the rows of `params` with which a kernel finds a point of the picture in the opacity map.
+void set_map_rows(DrawParams& params, const Camera& camera, const Look& look);
+
+class SkinDrawer {
+ public:
+  /// `params.width` and `params.height` must be set. `lanes`: number of vertices, triangles or pixels that a
+  /// work-item computes at a time, 1 or 16. `text`: skin_text() with the same `lanes`. Throws InputError if
+  /// the surface has no triangles.
+  SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
+             const cl::ProgramText& text);
+
+  /// Enqueues the kernels that draw the skin. Their launches belong to the phase `skin`. `map` has the texels
+  /// of the opacity map.
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec4>& map,
+               cl::PhaseEvents* events);
+
+  /// Replaces the positions and normals of the vertices. Throws InputError if their number is wrong.
+  void deform(const cl::Queue& queue, const SkinSurface& skin);
+
+  /// Returns the pixels, row by row. A pixel has red, green, blue and the view depth in R. The depth is
+  /// NO_DEPTH if the pixel has no skin.
+  const cl::Buffer<glm::vec4>& pixels() const { return pixels_; }
+  const cl::Program& program() const { return program_; }
+  std::size_t vertices() const { return std::size_t(vertices_); }
+
+ private:
+  int vertices_, triangles_, pixel_count_, lanes_;
+  cl::Program program_;
+  cl::Kernel make_vertices_, clear_, find_depth_, find_owner_, colour_pixels_;
+  cl::Buffer<float> position_, normal_, colour_, vertex_;
+  cl::Buffer<std::int32_t> index_, owner_;
+  cl::Buffer<std::uint32_t> depth_;
+  cl::Buffer<glm::vec4> pixels_;
+};
 
 /// What a picture shows, and from where.
 struct DrawingScene {

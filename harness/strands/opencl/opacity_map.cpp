@@ -1,11 +1,11 @@
-#include "harness/strands/opencl/opacity_map.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+
+#include "harness/strands/opencl/drawer.hpp"
 
 namespace pelage::strands {
 namespace {

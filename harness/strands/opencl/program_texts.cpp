@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/cl/pair_sort.hpp"
+#include "harness/cl/radix_sort.hpp"
 #include "harness/error.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 #include "kernels/strands/draw/params.h"

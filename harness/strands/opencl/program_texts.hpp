@@ -20,7 +20,7 @@ struct DrawerOptions {
   int lanes = 0;  ///< strands that a work-item computes at a time: 1 or 16; 0: the device's default
   /// Lanes of Drawing::item: 8 or 16; 0: the device's default. On processors without AVX-512, 16 means 8.
   int tile_lanes = 0;
-  int runs = 0;    ///< number of runs of the sort; 0: the device's default (harness/cl/pair_sort.hpp)
+  int runs = 0;    ///< number of runs of the sort; 0: the device's default (harness/cl/radix_sort.hpp)
   int chunks = 0;  ///< number of chunks of the sorted list, 1 to 65536; 0: the device's default
   /// Width and height of a tile in pixels: 16, 32, 64 or 128; 0: the default. Drawing::group needs 16.
   int tile = 0;

@@ -1,5 +1,3 @@
-#include "harness/strands/opencl/skin_drawer.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "harness/error.hpp"
+#include "harness/strands/opencl/drawer.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -10,7 +10,6 @@
 #include "harness/picture/picture.hpp"
 #include "harness/strands/opencl/chains.hpp"
 #include "harness/strands/opencl/drawer.hpp"
-#include "harness/strands/scene/skin_frames.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage::strands {

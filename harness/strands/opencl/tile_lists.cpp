@@ -1,10 +1,9 @@
-#include "harness/strands/opencl/tile_lists.hpp"
-
 #include <array>
 #include <limits>
 #include <vector>
 
 #include "harness/error.hpp"
+#include "harness/strands/opencl/drawer.hpp"
 
 namespace pelage::strands {
 

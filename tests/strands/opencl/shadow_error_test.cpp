@@ -10,7 +10,6 @@
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/groom/fur.hpp"
 #include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/opacity_map.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
-#include "harness/strands/reference/opacity_map.hpp"
+#include "harness/strands/reference/drawing.hpp"
 #include "tests/strands/support/device_picture.hpp"
 
 namespace pelage::strands {
