@@ -17,43 +17,46 @@
 
 namespace pelage::strands {
 
-/// The memory on the device that the drawing of a picture reads and writes besides the strands.
-class TileLists {
+/// The kernels that draw strands into a picture or into an opacity map: they compute the curves and sort
+/// keys, list the strands that each tile may show (kernels/strands/draw/bins.cl), and draw the tiles.
+class StrandPass {
  public:
-  /// `options`: build options of the kernels, for one lane. params.tiles_x, tiles_y and chunks must be set.
-  TileLists(const cl::Queue& queue, const DrawParams& params, const cl::ProgramText& text);
+  /// params.tiles_x, tiles_y, capacity, runs and chunks must be set. `padded` is the number of strands,
+  /// rounded up to a multiple of 16.
+  StrandPass(const cl::Queue& queue, const DrawParams& params, const PictureTexts& texts,
+             const DrawerLayout& layout, std::size_t padded);
 
-  /// Enqueues the kernels that write the lists. They read the first total[0] pairs. The launches belong to
-  /// the phase `phase`. The host waits once, because it needs the total length of the lists to allocate them.
-  /// Throws DeviceError if the total length is 2^31 or more.
-  void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<std::int32_t>& total,
-               const cl::Buffer<std::uint64_t>& blocks, const cl::Buffer<cl::Pair>& pairs, const char* phase,
-               cl::PhaseEvents* events);
+  /// Enqueues the kernel that writes the curves and the sort keys.
+  void make_keys(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<float>& constants,
+                 const cl::Buffer<float>& keys, const cl::Buffer<std::int32_t>& layers, const char* phase,
+                 cl::PhaseEvents* events);
 
-  /// Enqueues the kernel that draws the tiles. `group`: a work-group draws a tile of `tile` x `tile` pixels;
-  /// otherwise a work-item draws one tile after the other. rows, film, map, skin: see strand_tiles
-  /// (tile.cl).
-  cl::Event draw(const cl::Queue& queue, cl::Kernel& kernel, bool group, int tile, const DrawParams& params,
-                 const cl::Buffer<float>& rows, const cl::Buffer<std::int32_t>& film,
-                 const cl::Buffer<glm::vec4>& map, const cl::Buffer<glm::vec4>& skin,
-                 cl::Buffer<glm::vec4>& image) {
-    kernel.with(params, rows, film, map, list_start_, list_, spot_, skin, image, taken_, blank_);
-    // With one tile per work-item, a work-item draws tiles until no tile is left.
-    const std::size_t tiles = length_.size(), pixels = std::size_t(tile) * std::size_t(tile);
-    const std::size_t items = std::min(tiles, 32 * std::size_t(queue.device().info().compute_units));
-    return group ? kernel.enqueue(queue, tiles * pixels, pixels) : kernel.enqueue(queue, items, 1);
-  }
+  /// Enqueues the kernels that list the first total[0] pairs and draw the tiles, in the phases `list_phase`
+  /// and `draw_phase`. film, map, skin: see strand_tiles (tile.cl). The host waits once, because it needs the
+  /// total length of the lists to allocate them. Throws DeviceError if it is 2^31 or more.
+  void draw(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<std::int32_t>& total,
+            const cl::Buffer<std::int32_t>& film, const cl::Buffer<glm::vec4>& map,
+            const cl::Buffer<glm::vec4>& skin, const char* list_phase, const char* draw_phase,
+            cl::PhaseEvents* events);
 
-  /// Number of strands in the lists. A strand counts once per tile.
-  std::size_t listed() const { return listed_; }
-  const cl::Program& program() const { return program_; }
+  cl::Buffer<cl::Pair>& pairs() { return pairs_; }  ///< the sort keys, in params.runs runs
+  const cl::Buffer<cl::Pair>& pairs() const { return pairs_; }
+  const cl::Buffer<std::int32_t>& live() const { return live_; }  ///< number of pairs of each run
+  /// All curves, if params.keep_curves is set. The buffer then has CURVE_COLUMNS columns.
+  cl::Buffer<float>& curves() { return curves_; }
+  const cl::Buffer<glm::vec4>& image() const { return image_; }
+  std::vector<const cl::Program*> programs() const { return {&key_program_, &list_program_, &draw_program_}; }
 
  private:
-  cl::Program program_;
-  cl::Kernel count_, sum_, start_, fill_;
-  cl::Buffer<std::int32_t> chunk_count_, length_, list_start_, list_, taken_;
+  DrawerLayout layout_;
+  cl::Program key_program_, list_program_, draw_program_;
+  cl::Kernel make_keys_, count_, sum_, start_, fill_, draw_;
+  cl::Buffer<float> rows_, curves_;
+  cl::Buffer<std::uint64_t> blocks_;
+  cl::Buffer<cl::Pair> pairs_;
+  cl::Buffer<std::int32_t> live_, chunk_count_, length_, list_start_, list_, taken_;
   cl::Buffer<std::uint16_t> spot_, blank_;
-  std::size_t listed_ = 0;
+  cl::Buffer<glm::vec4> image_;
 };
 
 /// The buffers of a picture that its opacity map also uses.
@@ -75,23 +78,15 @@ class OpacityMap {
 
   /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), 1 / D in 1/R
   /// (docs/strands.md, section Shadow), transmittance 1 - A, and 0.
-  const cl::Buffer<glm::vec4>& texels() const { return texels_; }
-  std::size_t listed() const { return lists_.listed(); }  ///< see Drawer::listed()
-  std::vector<const cl::Program*> programs() const;
+  const cl::Buffer<glm::vec4>& texels() const { return pass_.image(); }
+  std::vector<const cl::Program*> programs() const { return pass_.programs(); }
 
  private:
   DrawerLayout layout_;
-  PictureTexts texts_;
-  cl::Program key_program_, draw_program_;
-  cl::Kernel make_keys_, draw_;
-  TileLists lists_;
-  cl::Buffer<float> rows_, curves_;
-  cl::Buffer<std::uint64_t> blocks_;
-  cl::Buffer<cl::Pair> pairs_;
-  cl::Buffer<std::int32_t> live_, total_;
-  cl::Buffer<glm::vec4> texels_, no_map_;
-  cl::Buffer<glm::vec4> no_skin_;
-  int strands_ = -1;  ///< the number in total_
+  StrandPass pass_;
+  cl::Buffer<std::int32_t> total_;
+  cl::Buffer<glm::vec4> nothing_;  ///< the map and the skin, which the kernels do not read
+  int strands_ = -1;               ///< the number in total_
 };
 
 /// Sets the rows of `params` with which a kernel finds a point of the picture in the opacity map.
@@ -117,7 +112,6 @@ class SkinDrawer {
   /// NO_DEPTH if the pixel has no skin.
   const cl::Buffer<glm::vec4>& pixels() const { return pixels_; }
   const cl::Program& program() const { return program_; }
-  std::size_t vertices() const { return std::size_t(vertices_); }
 
  private:
   int vertices_, triangles_, pixel_count_, lanes_;
@@ -173,8 +167,6 @@ class Drawer {
   /// Replaces the positions and normals of the skin for all later pictures. The picture must have a skin, and
   /// the skin keeps its vertices and triangles.
   void deform_skin(const cl::Queue& queue, const SkinSurface& skin);
-  /// Number of strands in the tiles' lists of the last picture. A strand counts once per tile.
-  std::size_t listed() const { return lists_.listed(); }
   /// Returns the texels of the last opacity map, row by row (OpacityMap::texels()). It is empty if the look
   /// has no shadow.
   std::vector<glm::vec4> opacity_map(const cl::Queue& queue) const;
@@ -190,21 +182,15 @@ class Drawer {
   std::vector<LayerLook> layers_;  ///< of all 256 possible fur layers
   PictureKinds kinds_;
   DrawerLayout layout_;
-  PictureTexts texts_;
   cl::PairSort sort_;
   DrawParams params_;
-  cl::Program key_program_, draw_program_;
-  cl::Kernel make_keys_, draw_;
-  TileLists lists_;
+  std::optional<StrandPass> pass_;
   std::optional<OpacityMap> map_;
   std::optional<SkinDrawer> skin_;
-  cl::Buffer<float> constants_, keys_, rows_, curves_;
-  cl::Buffer<std::uint64_t> blocks_;
-  cl::Buffer<cl::Pair> pairs_;
-  cl::Buffer<std::int32_t> film_, layer_table_, live_;
+  cl::Buffer<float> constants_, keys_;
+  cl::Buffer<std::int32_t> film_, layer_table_;
   cl::Buffer<glm::vec4> no_map_;   ///< the kernels' argument if the look has no shadow
   cl::Buffer<glm::vec4> no_skin_;  ///< the kernels' argument if the picture has no skin
-  cl::Buffer<glm::vec4> image_;
   bool layers_written_ = false;
   int key_bits_;  ///< number of bits that the sort keys use
 };
