@@ -131,19 +131,6 @@ std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 d
   return found;
 }
 
-std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force) {
-  if (face >= topology.corner.size())
-    throw InputError(fmt::format("poke: triangle {} does not exist; the mesh has {} triangles", face,
-                                 topology.corner.size()));
-  for (int c = 0; c < 3; ++c)
-    if (!std::isfinite(force[c]))
-      throw InputError(fmt::format("poke: the force is ({}, {}, {}) N; all three components must be finite",
-                                   force.x, force.y, force.z));
-  std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
-  for (int c = 0; c < 3; ++c) push[topology.corner[face][c]] = force;
-  return push;
-}
-
 Degrees degrees(const SpringNetwork& topology) {
   std::vector<int> count(topology.mass.size(), 0);
   for (const glm::uvec2 spring : topology.spring) ++count[spring.x], ++count[spring.y];

@@ -62,10 +62,6 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
 /// hits. Both sides of a triangle can be hit. Returns nothing if the ray hits no triangle.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction);
 
-/// Returns one force in newtons per stick: `force` for the three sticks at the corners of triangle `face`,
-/// and 0 for all other sticks. Throws InputError if `face` is out of range or `force` is not finite.
-std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force);
-
 /// Largest number of triangles that drawing_of accepts. In larger meshes the triangles are too small to
 /// distinguish on a page.
 inline constexpr std::size_t most_drawn = 20000;

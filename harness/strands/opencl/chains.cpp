@@ -134,18 +134,6 @@ void Chains::set(const cl::Queue& queue, const std::vector<ChainState>& states, 
   steps_ = steps;
 }
 
-void Chains::retarget(const ChainDynamics& dynamics) {
-  ChainDynamics next = dynamics_;
-  next.gravity = dynamics.gravity;
-  next.wind = dynamics.wind;
-  next.motion = dynamics.motion;
-  check(next);
-  if (springs::turns(next.motion) && !springs::turns(dynamics_.motion))
-    throw InputError("motion of strands: an object that did not rotate must not begin to rotate");
-  dynamics_ = next;
-  known_from_ = known_to_ = 0;
-}
-
 std::vector<ChainState> Chains::states(const cl::Queue& queue) const {
   std::vector<ChainState> states = states_of(states_.read(queue), strands_);
   if (!dynamics_.body) return states;

@@ -35,6 +35,13 @@ inline std::string case_name(const testing::TestParamInfo<Case>& given) {
   return with_underscores(std::string(name(given.param.kind)) + "_" + std::string(name(given.param.solver)));
 }
 
+/// Returns one force in newtons per stick: `force` for the sticks at the corners of triangle `face`, else 0.
+inline std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force) {
+  std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
+  for (int c = 0; c < 3; ++c) push[topology.corner[face][c]] = force;
+  return push;
+}
+
 /// Returns the largest distance between entries of equal index. If an entry is not finite, returns 1e9.
 template <class A, class B>
 double largest_difference(const std::vector<A>& a, const std::vector<B>& b) {

@@ -69,11 +69,9 @@ TEST(Chains, KeepTheirLengthsAndStopsAndComeToRest) {
   EXPECT_GT(double(touching) / double(looks), 0.02);  // otherwise the stops are not tested
   std::printf("length %.1e, limits %.1e %.1e, joint %.1e, tip %.1e; %.1f%% touching\n", worst.length,
               worst.first, worst.second, worst.joint, worst.tip, 100 * double(touching) / double(looks));
-  d.motion = {};
-  d.wind.speed = 0;
-  strands.retarget(d);
-  for (int frame = 0; frame < 600; ++frame) strands.enqueue(queue(), 4);
-  EXPECT_LE(moving_part(d, strands.states(queue())), 0.001);
+  Chains calm = calmed(strands, chains, d);
+  for (int frame = 0; frame < 600; ++frame) calm.enqueue(queue(), 4);
+  EXPECT_LE(moving_part(d, calm.states(queue())), 0.001);
 }
 
 TEST(Chains, HaveTheSameBitsForAllLanesAndWorkItems) {

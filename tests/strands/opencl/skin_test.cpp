@@ -82,7 +82,7 @@ struct Twist {
       chains.push_back(c);
       rest.push_back(c.rest);
     }
-    SkinMotion motion(*mesh, rest);
+    SkinMotion motion(*mesh, points_of(*mesh), rest);
     for (int k = 0; k <= 60; ++k) {
       const double twist = 1.5 * std::sin(2 * std::numbers::pi * k / 30.0);
       std::vector<glm::vec3> points;

@@ -61,6 +61,15 @@ inline Errors step_errors(const std::vector<Chain>& chains, const ChainDynamics&
   return errors;
 }
 
+/// Returns strands in the states of `strands`, without wind and motion. Changes `dynamics` likewise.
+inline Chains calmed(const Chains& strands, const std::vector<Chain>& chains, ChainDynamics& dynamics) {
+  dynamics.motion = {};
+  dynamics.wind.speed = 0;
+  Chains calm(queue(), chains, dynamics);
+  calm.set(queue(), strands.states(queue()), strands.steps());
+  return calm;
+}
+
 /// The largest rise of a strand's energy between two successive calls of look(), in units of k1 + m g L.
 /// There is no wind and no motion.
 class EnergyRise {
