@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "harness/parallel.hpp"
+#include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/input_check.hpp"
 #include "harness/shells/reference/layers.hpp"
@@ -44,7 +45,7 @@ struct Tile {
   }
 };
 
-void blend(const FurFragment& over, glm::dvec4& colour) {
+void blend_over(const FurFragment& over, glm::dvec4& colour) {
   colour = over.coverage * glm::dvec4(over.colour, 1.0) + (1.0 - over.coverage) * colour;
 }
 
@@ -54,7 +55,7 @@ void blend_by_depth(Tile& tile) {
   for (std::size_t i = 0; i < tile.waiting.size(); ++i) {
     std::stable_sort(tile.waiting[i].begin(), tile.waiting[i].end(),
                      [](const FurFragment& a, const FurFragment& b) { return a.inverse_w < b.inverse_w; });
-    for (const FurFragment& fragment : tile.waiting[i]) blend(fragment, tile.colour[i]);
+    for (const FurFragment& fragment : tile.waiting[i]) blend_over(fragment, tile.colour[i]);
   }
 }
 
@@ -213,7 +214,8 @@ class Painter {
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {
-      return sample_fur(input_.fur, uv * glm::dvec2(input_.fur_scale), layer_, level);
+      return sample_fur(input_.fur, uv * glm::dvec2(input_.fur_scale), layer_, level,
+                        coverage_power(input_.scene.fur));
     };
     const int count = input_.scene.fur.substeps;
     if (count == 1) return sampled(where + clump.d);
@@ -287,7 +289,7 @@ class Painter {
     if (by_depth(scene.blend))
       tile.waiting[at].push_back(drawn);
     else
-      blend(drawn, tile.colour[at]);
+      blend_over(drawn, tile.colour[at]);
   }
 
   /// Returns the clump's displacement for W Eq. 4.

@@ -8,7 +8,7 @@ namespace pelage::reference {
 namespace {
 
 /// Returns i modulo side. i is a whole number.
-std::size_t wrapped(double i, int side) {
+std::size_t wrapped_index(double i, int side) {
   const double inside = i - double(side) * std::floor(i / double(side));
   return std::min(std::size_t(inside >= 0.0 ? inside : 0.0), std::size_t(side - 1));
 }
@@ -18,8 +18,8 @@ template <class Texel>
 auto bilinear(int side, const glm::dvec2& uv, const Texel& texel) {
   const double x = uv.x * double(side) - 0.5, y = uv.y * double(side) - 0.5;
   const double i = std::floor(x), j = std::floor(y), s = x - i, t = y - j;
-  const std::size_t i0 = wrapped(i, side), i1 = wrapped(i + 1.0, side);
-  const std::size_t j0 = wrapped(j, side), j1 = wrapped(j + 1.0, side);
+  const std::size_t i0 = wrapped_index(i, side), i1 = wrapped_index(i + 1.0, side);
+  const std::size_t j0 = wrapped_index(j, side), j1 = wrapped_index(j + 1.0, side);
   return (1.0 - t) * ((1.0 - s) * texel(j0, i0) + s * texel(j0, i1)) +
          t * ((1.0 - s) * texel(j1, i0) + s * texel(j1, i1));
 }
@@ -35,13 +35,14 @@ glm::dvec2 fur_level(const FurTexture& fur, const glm::dvec2& uv, int layer, std
 
 }  // namespace
 
-FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level) {
+FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level, double power) {
   const double last = double(fur.level.size()) - 1.0;
   const double clamped = std::clamp(level, 0.0, last), lower = std::floor(clamped);
   const glm::dvec2 near = fur_level(fur, uv, layer, std::size_t(lower));
   const glm::dvec2 far = fur_level(fur, uv, layer, std::size_t(std::min(lower + 1.0, last)));
   const glm::dvec2 bytes = near + (clamped - lower) * (far - near);
-  return {bytes.x / 255.0, bytes.y / 127.5};
+  const double coverage = bytes.x / 255.0;
+  return {power == 1.0 ? coverage : 1.0 - std::pow(1.0 - coverage, power), bytes.y / 127.5};
 }
 
 double sample_density(const Style::Density& map, const glm::dvec2& uv) {

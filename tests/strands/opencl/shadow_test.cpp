@@ -12,7 +12,7 @@
 namespace pelage::strands {
 namespace {
 
-DrawingScene scene_of(Shadow reading, float fraction = 1) {
+DrawingScene shadow_scene(Shadow reading, float fraction = 1) {
   DrawingScene scene = ball_scene(200, 150);
   scene.look.fraction = fraction;
   scene.look.shadow = {reading, 150, 0.2f, 1 + longest};
@@ -55,15 +55,15 @@ void expect_reference_and_map(const DrawingScene& scene, const Ball& ball,
 
 TEST(StrandShadow, MapAndPictureAreThoseOfTheReference) {
   for (const Shadow reading : {Shadow::linear, Shadow::exponential})
-    expect_reference_and_map(scene_of(reading), Ball(3000));
+    expect_reference_and_map(shadow_scene(reading), Ball(3000));
 }
 
 TEST(StrandShadow, TheMappingForGpusAgreesWithTheReference) {
-  expect_reference_and_map(scene_of(Shadow::exponential), Ball(2000, 2), {.mapping = Drawing::group});
+  expect_reference_and_map(shadow_scene(Shadow::exponential), Ball(2000, 2), {.mapping = Drawing::group});
 }
 
 TEST(StrandShadow, AllLightsAgreeWithTheReference) {
-  DrawingScene scene = scene_of(Shadow::exponential, 0.6f);
+  DrawingScene scene = shadow_scene(Shadow::exponential, 0.6f);
   scene.look.fills = {{{1, 0.2f, 0.3f}, {0.5f, 0.2f, 0.1f}}};
   scene.look.rim = {0.5f, 0.4f, 0.3f};
   scene.look.skin_shadow = 0.7f;
@@ -73,8 +73,8 @@ TEST(StrandShadow, AllLightsAgreeWithTheReference) {
   expect_reference_and_map(scene, Ball(3000));
 }
 
-TEST(StrandShadow, OnlyTheKeyLightIsDevicePicture) {
-  DrawingScene scene = scene_of(Shadow::exponential);
+TEST(StrandShadow, OnlyTheKeyLightIsShadowed) {
+  DrawingScene scene = shadow_scene(Shadow::exponential);
   scene.look.light = {0.2f, 0.5f, -1};  // from behind
   const Ball ball(4000);
   scene.look.intensity = 0;
@@ -96,7 +96,7 @@ TEST(StrandShadow, OnlyTheKeyLightIsDevicePicture) {
 
 TEST(StrandShadow, BitsDoNotDependOnTheDivisionOfTheWork) {
   const Ball ball(5001);
-  const DrawingScene scene = scene_of(Shadow::linear);
+  const DrawingScene scene = shadow_scene(Shadow::linear);
   const DevicePicture first = draw_on_device(scene, ball);
   for (const DrawerOptions& options :
        {DrawerOptions{}, DrawerOptions{.mapping = Drawing::item, .lanes = 1},
@@ -112,9 +112,9 @@ TEST(StrandShadow, BitsDoNotDependOnTheDivisionOfTheWork) {
 
 TEST(StrandShadow, AViewThatChangesGivesThePictureOfANewDrawer) {
   const Ball ball(2000);
-  Drawer drawer(test::queue(), scene_of(Shadow::exponential), ball.strands, ball.keys.size());
+  Drawer drawer(test::queue(), shadow_scene(Shadow::exponential), ball.strands, ball.keys.size());
   for (const float fraction : {0.3f, 1.0f, 0.8f}) {
-    DrawingScene scene = scene_of(Shadow::exponential, fraction);
+    DrawingScene scene = shadow_scene(Shadow::exponential, fraction);
     scene.camera = camera_at(200, 150, {-0.7f, 1, 3 + fraction});
     scene.range = depth_range(scene.camera, 1 + longest);
     scene.look.light = {fraction, 1, 0.2f};
@@ -127,7 +127,7 @@ TEST(StrandShadow, AViewThatChangesGivesThePictureOfANewDrawer) {
 
 TEST(StrandShadow, WrongValuesAreRefused) {
   const auto refused = [](const ShadowLook& shadow) {
-    DrawingScene scene = scene_of(Shadow::linear);
+    DrawingScene scene = shadow_scene(Shadow::linear);
     scene.look.shadow = shadow;
     EXPECT_THROW(check(scene.look), InputError);
   };
@@ -136,9 +136,9 @@ TEST(StrandShadow, WrongValuesAreRefused) {
   refused({Shadow::exponential, 512, 0, 1});
   refused({Shadow::exponential, 512, 0.1f, std::nanf("")});
   const Ball ball(20);
-  Drawer drawer(test::queue(), scene_of(Shadow::linear), ball.strands, ball.keys.size());
-  EXPECT_THROW(drawer.set_view(scene_of(Shadow::exponential)), InputError);
-  DrawingScene larger = scene_of(Shadow::linear);
+  Drawer drawer(test::queue(), shadow_scene(Shadow::linear), ball.strands, ball.keys.size());
+  EXPECT_THROW(drawer.set_view(shadow_scene(Shadow::exponential)), InputError);
+  DrawingScene larger = shadow_scene(Shadow::linear);
   larger.look.shadow.size = 200;
   EXPECT_THROW(drawer.set_view(larger), InputError);
 }
