@@ -105,7 +105,7 @@ using States = std::function<std::vector<reference::State>(int steps)>;
 /// Compares the states with the reference every 44 steps. The directions of no strand may differ by more than
 /// the bound, so a strand that moves by more than the bound in the reference also moves. `states` is called
 /// with a rising number.
-void expect_reference(const WeakForce& force, const States& states, bool pressed) {
+void expect_motion_of_reference(const WeakForce& force, const States& states, bool pressed) {
   const std::vector<Chain> chains = chains_under(force);
   const ChainDynamics d = dynamics_under(force);
   std::vector<reference::State> exact;
@@ -146,11 +146,12 @@ States on_device(const WeakForce& force, int lanes) {
 
 TEST(WeakForces, MoveTheStrandsOfTheDeviceLikeTheReference) {
   for (const WeakForce& force : weak_forces())
-    for (const int lanes : {1, 16}) expect_reference(force, on_device(force, lanes), false);
+    for (const int lanes : {1, 16}) expect_motion_of_reference(force, on_device(force, lanes), false);
 }
 
 TEST(WeakForces, MoveStrandsAlongTheirStops) {
-  for (const WeakForce& force : pressing_forces()) expect_reference(force, on_device(force, 0), true);
+  for (const WeakForce& force : pressing_forces())
+    expect_motion_of_reference(force, on_device(force, 0), true);
 }
 
 // A strand that nearly rests has little energy. The reference must compute its step from the rounded state,
@@ -212,7 +213,7 @@ TEST(WeakForces, MoveTheKernelsInDoublePrecisionLikeTheReference) {
     std::vector<KernelChain> chains;
     for (const Chain& chain : chains_under(force)) chains.emplace_back(chain, dynamics_under(force));
     int done = 0;
-    expect_reference(
+    expect_motion_of_reference(
         force,
         [&](int steps) {
           std::vector<reference::State> found;
