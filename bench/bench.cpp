@@ -10,8 +10,8 @@
 #include <set>
 
 #include "harness/cl/device.hpp"
+#include "harness/cl/measure.hpp"
 #include "harness/cl/program.hpp"
-#include "harness/cl/timer.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"

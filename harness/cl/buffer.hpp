@@ -16,16 +16,13 @@ void check(cl_int code, std::string_view call);
 class Queue {
  public:
   explicit Queue(const Device& device);  ///< creates an in-order queue with profiling
-  ~Queue();
-  Queue(Queue&& other) noexcept;
-  Queue& operator=(Queue&& other) noexcept;
-  cl_command_queue get() const { return queue_; }
+  cl_command_queue get() const { return queue_.get(); }
   const Device& device() const { return device_; }
   void finish() const;
 
  private:
   Device device_;
-  cl_command_queue queue_ = nullptr;
+  Owned<cl_command_queue, clReleaseCommandQueue> queue_;
 };
 
 /// A block of device memory without an element type. Buffer<T> stores its values in such a block.
@@ -33,16 +30,13 @@ class Memory {
  public:
   Memory() = default;
   Memory(const Device& device, std::size_t bytes);  ///< allocates `bytes` bytes, at least one
-  ~Memory();
-  Memory(Memory&& other) noexcept;
-  Memory& operator=(Memory&& other) noexcept;
-  cl_mem get() const { return memory_; }
+  cl_mem get() const { return memory_.get(); }
   std::size_t bytes() const { return bytes_; }
   void write(const Queue& queue, const void* source, std::size_t bytes);                         ///< blocking
   void read(const Queue& queue, void* target, std::size_t bytes, std::size_t offset = 0) const;  ///< blocking
 
  private:
-  cl_mem memory_ = nullptr;
+  Owned<cl_mem, clReleaseMemObject> memory_;
   std::size_t bytes_ = 0;
 };
 
@@ -73,5 +67,11 @@ class Buffer {
   Memory memory_;
   std::size_t count_ = 0;
 };
+
+/// Returns a new buffer with a copy of the values.
+template <class T>
+Buffer<T> uploaded(const Queue& queue, const std::vector<T>& values) {
+  return {queue, values};
+}
 
 }  // namespace pelage::cl

@@ -1,5 +1,3 @@
-#include "harness/cl/choose.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "harness/cl/device.hpp"
 #include "harness/error.hpp"
 
 namespace pelage::cl {

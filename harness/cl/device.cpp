@@ -10,7 +10,6 @@
 
 #include "harness/cl/buffer.hpp"
 #include "harness/cl/builds.hpp"
-#include "harness/cl/choose.hpp"
 #include "harness/cl/drivers.hpp"
 #include "harness/error.hpp"
 
@@ -23,15 +22,8 @@ struct Device::State {
   // The context is created on its first use, because listing the devices must not occupy every GPU of a
   // shared machine.
   mutable std::once_flag created;
-  mutable cl_context context = nullptr;
+  mutable Owned<cl_context, clReleaseContext> context;
   mutable Builds builds;
-
-  State() = default;
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    if (context != nullptr) clReleaseContext(context);
-  }
 };
 
 namespace {
@@ -140,10 +132,10 @@ cl_device_id Device::id() const {
 cl_context Device::context() const {
   std::call_once(state_->created, [this] {
     cl_int code = CL_SUCCESS;
-    state_->context = clCreateContext(nullptr, 1, &state_->id, nullptr, nullptr, &code);
+    state_->context.reset(clCreateContext(nullptr, 1, &state_->id, nullptr, nullptr, &code));
     check(code, fmt::format("clCreateContext on {}", info().name));
   });
-  return state_->context;
+  return state_->context.get();
 }
 
 Builds& Device::builds() const {

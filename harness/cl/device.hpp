@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace pelage::cl {
@@ -25,6 +26,17 @@ struct DeviceInfo {
 
   std::string spec() const;  ///< platform index and device index, such as "0:0", as --device accepts them
 };
+
+/// Owns an object of OpenCL, and calls `release` to release it.
+template <auto release>
+struct Release {
+  template <class T>
+  void operator()(T* object) const {
+    release(object);
+  }
+};
+template <class Handle, auto release>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>;
 
 class Builds;
 
@@ -69,5 +81,9 @@ std::vector<Device> devices();
 /// device. Throws InputError with the candidates if no device or several devices match, and NoDeviceError if
 /// there are no devices.
 Device choose_device(std::string_view wanted);
+
+/// Returns the index of the device in the list `all` that choose_device(wanted) chooses. The message of an
+/// InputError begins with `origin`, which says where the user gave the text (--device or PELAGE_DEVICE).
+std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, std::string_view origin);
 
 }  // namespace pelage::cl

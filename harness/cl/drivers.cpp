@@ -11,7 +11,6 @@
 #include <sstream>
 #include <string>
 
-#include "harness/cl/environment.hpp"
 #include "harness/cl/kernel_cache.hpp"
 
 namespace pelage::cl {

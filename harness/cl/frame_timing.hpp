@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/cl/phases.hpp"
+#include "harness/cl/program.hpp"
 
 namespace pelage::cl {
 

@@ -7,8 +7,6 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "harness/cl/environment.hpp"
-
 namespace pelage::cl {
 namespace {
 

@@ -2,10 +2,17 @@
 // the disk is full, PoCL ends the process. If a file in the folder is damaged, PoCL crashes.
 #pragma once
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 namespace pelage::cl {
+
+/// Returns the value of an environment variable; "" if it is not set.
+inline std::string environment(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value ? value : "";
+}
 
 /// Returns the folder in which PoCL keeps compiled kernels: $POCL_CACHE_DIR; if this variable is not set,
 /// $XDG_CACHE_HOME/pocl/kcache; otherwise $HOME/.cache/pocl/kcache. The path is empty if none of these three

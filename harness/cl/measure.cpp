@@ -19,6 +19,21 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+Stamps stamps_of(const Event& event) {
+  Stamps stamps;
+  const auto read = [&](cl_profiling_info key, std::uint64_t& into) {
+    cl_ulong value = 0;
+    check(clGetEventProfilingInfo(event.get(), key, sizeof value, &value, nullptr),
+          "clGetEventProfilingInfo");
+    into = value;
+  };
+  read(CL_PROFILING_COMMAND_QUEUED, stamps.queued);
+  read(CL_PROFILING_COMMAND_SUBMIT, stamps.submitted);
+  read(CL_PROFILING_COMMAND_START, stamps.started);
+  read(CL_PROFILING_COMMAND_END, stamps.ended);
+  return stamps;
+}
+
 // Runs `work` once without timing it, because the first run includes compilation and the first access to
 // memory. Then measures `times` runs of `work`, and returns the least time in seconds.
 double best_seconds(int times, const std::function<void()>& work) {
@@ -67,6 +82,63 @@ double fma_peak(const Queue& queue, const Program& program, std::size_t lanes) {
 }
 
 }  // namespace
+
+TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batch, double wall_ms) {
+  TimerCheck result;
+  result.wall_ms = wall_ms;
+  const auto fake = [&](std::string reason) {
+    result.reason = std::move(reason);
+    return result;
+  };
+  if (batch.empty()) return fake("no command was timed");
+  for (const Stamps& s : batch) result.event_ms += static_cast<double>(s.ended - s.started) * 1e-6;
+  if (resolution_ns == 0) return fake("the driver reports a timer resolution of 0");
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Stamps& s = batch[i];
+    if (s.ended <= s.started) return fake("the end time of a command is not after its start time");
+    if (s.queued > s.submitted || s.submitted > s.started)
+      return fake("the times of a command are not in the order queued, submitted, started");
+    if (i > 0 && s.started < batch[i - 1].ended)
+      return fake("a command of an in-order queue overlaps the command before it");
+  }
+  if (result.event_ms < 0.5 * wall_ms || result.event_ms > 1.02 * wall_ms)
+    return fake(fmt::format("the event times sum to {:.3g} ms, the wall clock measured {:.3g} ms",
+                            result.event_ms, wall_ms));
+  result.real = true;
+  return result;
+}
+
+TimerCheck check_timer(const Queue& queue) {
+  const Program program(queue.device(), "measure/measure.cl");
+  Kernel load(program, "chains");
+  constexpr std::size_t items = 1 << 14;
+  const Buffer<float> out(queue.device(), items);
+
+  // The loop below doubles the number of rounds in the kernel until one launch takes at least 20 ms. Compared
+  // with this time, the overhead of a launch is negligible, and the test remains short.
+  const auto run = [&](int rounds) {
+    return seconds([&] {
+      load.with(rounds, 0.5f, out).enqueue(queue, items, group);
+      queue.finish();
+    });
+  };
+  run(1);
+  int rounds = 256;
+  while (run(rounds) < 0.02 && rounds < (1 << 28)) rounds *= 2;
+
+  TimerCheck result;
+  for (int attempt = 0; attempt < 3 && !result.real; ++attempt) {
+    std::array<Event, 5> events;
+    const double wall = 1e3 * seconds([&] {
+                          for (Event& event : events) event = load.enqueue(queue, items, group);
+                          queue.finish();
+                        });
+    std::array<Stamps, 5> batch;
+    for (std::size_t i = 0; i < batch.size(); ++i) batch[i] = stamps_of(events[i]);
+    result = judge_timer(queue.device().info().timer_resolution_ns, batch, wall);
+  }
+  return result;
+}
 
 DeviceSpeed measure_device(const Device& device) {
   const Queue queue(device);

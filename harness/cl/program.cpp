@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <mutex>
 #include <utility>
@@ -87,17 +88,17 @@ std::shared_ptr<const BuiltProgram> build(const Device& device, const ProgramTex
 
   const auto start = std::chrono::steady_clock::now();
   cl_int code = CL_SUCCESS;
-  built->program = clCreateProgramWithSource(device.context(), 1, &source_text, &length, &code);
+  built->program.reset(clCreateProgramWithSource(device.context(), 1, &source_text, &length, &code));
   check(code, "clCreateProgramWithSource");
   const cl_device_id id = device.id();
   // PoCL uses LLVM, which replaces the signal handlers when it is loaded and when it compiles.
   // explain_aborts() therefore installs pelage's handlers again before and after the compilation.
   explain_aborts();
-  code = clBuildProgram(built->program, 1, &id, all.c_str(), nullptr, nullptr);
+  code = clBuildProgram(built->program.get(), 1, &id, all.c_str(), nullptr, nullptr);
   explain_aborts();
   built->build_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  built->log = build_log(built->program, id);
+  built->log = build_log(built->program.get(), id);
   if (code != CL_SUCCESS)
     throw DeviceError(
         fmt::format("clBuildProgram: {}: {} does not build on {} with options '{}'; the log:\n{}",
@@ -120,10 +121,6 @@ std::map<std::string, std::string> hashes_by_file(const std::vector<const Progra
   return hashes;
 }
 
-BuiltProgram::~BuiltProgram() {
-  if (program != nullptr) clReleaseProgram(program);
-}
-
 std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text) {
   const SourceTexts sources = source_texts(text.file);
   const ProgramText needed{text.file, options_read(text.options, sources)};
@@ -138,27 +135,14 @@ std::string Program::cache_advice() const {
   return cl::cache_advice(*built_);
 }
 
-Event::~Event() {
-  if (event_ != nullptr) clReleaseEvent(event_);
-}
-
-Event::Event(Event&& other) noexcept
-    : event_(std::exchange(other.event_, nullptr)), kernel_(std::move(other.kernel_)), bytes_(other.bytes_) {}
-
-Event& Event::operator=(Event&& other) noexcept {
-  std::swap(event_, other.event_);
-  std::swap(kernel_, other.kernel_);
-  std::swap(bytes_, other.bytes_);
-  return *this;
-}
-
 std::optional<double> Event::milliseconds(const Device& device) const {
   if (event_ == nullptr || device.info().timer_resolution_ns == 0) return {};
-  check(clWaitForEvents(1, &event_), "clWaitForEvents");
+  const cl_event event = event_.get();
+  check(clWaitForEvents(1, &event), "clWaitForEvents");
   cl_ulong start = 0, end = 0;
-  if (clGetEventProfilingInfo(event_, CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr) !=
+  if (clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr) !=
           CL_SUCCESS ||
-      clGetEventProfilingInfo(event_, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr) != CL_SUCCESS ||
+      clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr) != CL_SUCCESS ||
       end <= start)
     return {};
   return static_cast<double>(end - start) * 1e-6;
@@ -166,44 +150,27 @@ std::optional<double> Event::milliseconds(const Device& device) const {
 
 Kernel::Kernel(const Program& program, const std::string& name) : name_(name) {
   cl_int code = CL_SUCCESS;
-  kernel_ = clCreateKernel(program.get(), name.c_str(), &code);
+  kernel_.reset(clCreateKernel(program.get(), name.c_str(), &code));
   if (code == CL_INVALID_KERNEL_NAME && !program.cache_advice().empty())
     throw DeviceError(fmt::format("clCreateKernel of {}: {}: {} has no such kernel{}", name, error_name(code),
                                   program.file(), program.cache_advice()));
   check(code, fmt::format("clCreateKernel of {}", name));
 }
 
-Kernel::~Kernel() {
-  if (kernel_ != nullptr) clReleaseKernel(kernel_);
-}
-
-Kernel::Kernel(Kernel&& other) noexcept
-    : kernel_(std::exchange(other.kernel_, nullptr)),
-      name_(std::move(other.name_)),
-      bytes_(other.bytes_),
-      groups_(other.groups_) {}
-
-Kernel& Kernel::operator=(Kernel&& other) noexcept {
-  std::swap(kernel_, other.kernel_);
-  std::swap(name_, other.name_);
-  std::swap(bytes_, other.bytes_);
-  std::swap(groups_, other.groups_);
-  return *this;
-}
-
 void Kernel::set_memory(cl_uint index, cl_mem memory) {
-  check(clSetKernelArg(kernel_, index, sizeof(cl_mem), static_cast<const void*>(&memory)),
+  check(clSetKernelArg(kernel_.get(), index, sizeof(cl_mem), static_cast<const void*>(&memory)),
         fmt::format("clSetKernelArg {} of {}", index, name_));
 }
 
 void Kernel::set_bytes(cl_uint index, std::size_t bytes, const void* value) {
-  check(clSetKernelArg(kernel_, index, bytes, value), fmt::format("clSetKernelArg {} of {}", index, name_));
+  check(clSetKernelArg(kernel_.get(), index, bytes, value),
+        fmt::format("clSetKernelArg {} of {}", index, name_));
 }
 
 const Kernel::Groups& Kernel::groups(const Queue& queue) const {
   if (groups_.most > 0) return groups_;
   const auto ask = [&](cl_kernel_work_group_info what, void* value, std::size_t bytes) {
-    check(clGetKernelWorkGroupInfo(kernel_, queue.device().id(), what, bytes, value, nullptr),
+    check(clGetKernelWorkGroupInfo(kernel_.get(), queue.device().id(), what, bytes, value, nullptr),
           fmt::format("clGetKernelWorkGroupInfo of {}", name_));
   };
   std::array<std::size_t, 3> required{};
@@ -221,7 +188,7 @@ Event Kernel::launch(const Queue& queue, unsigned dimensions, std::array<std::si
     while (group[0] * group[1] > sizes.most) group[group[1] > group[0] ? 1 : 0] /= 2;
   for (std::size_t i = 0; i < 2; ++i) items[i] = (items[i] + group[i] - 1) / group[i] * group[i];
   cl_event event = nullptr;
-  check(clEnqueueNDRangeKernel(queue.get(), kernel_, dimensions, nullptr, items.data(), group.data(), 0,
+  check(clEnqueueNDRangeKernel(queue.get(), kernel_.get(), dimensions, nullptr, items.data(), group.data(), 0,
                                nullptr, &event),
         fmt::format("clEnqueueNDRangeKernel of {} over {} x {} in groups of {} x {}", name_, items[0],
                     items[1], group[0], group[1]));
@@ -243,6 +210,24 @@ Event Kernel::enqueue_loop(const Queue& queue, std::size_t count) const {
   const DeviceInfo& device = queue.device().info();
   const std::size_t most = 32 * std::size_t(device.compute_units) * usual_group(device);
   return enqueue(queue, device.cpu ? std::min(count, most) : count);
+}
+
+int whole_exponent(float exponent) {
+  const bool whole = exponent >= 1 && exponent <= 1024 && std::floor(exponent) == exponent;
+  return whole ? int(exponent) : 0;
+}
+
+int lanes_of(const DeviceInfo& device, int wanted) {
+  if (wanted != 0 && wanted != 1 && wanted != 16)
+    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", wanted));
+  return wanted != 0 ? wanted : device.lanes;
+}
+
+int units_per_item(const DeviceInfo& device, int lanes, int units, int wanted) {
+  if (wanted > 0) return wanted * (16 / lanes);
+  if (lanes == 1) return 1;
+  const int items = 8 * std::max(1, int(device.compute_units));
+  return std::clamp((units + items - 1) / items, 1, 64);
 }
 
 std::size_t usual_group(const DeviceInfo& device) {

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "harness/cl/buffer.hpp"
-#include "harness/cl/sources.hpp"
 
 namespace pelage::cl {
 
@@ -24,6 +23,25 @@ namespace pelage::cl {
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 
+/// Maps the path of a kernel file, relative to the kernel folder, to the hash of the file's contents.
+using Sources = std::map<std::string, std::uint64_t>;
+/// Maps the path of a kernel file, relative to the kernel folder, to the file's contents.
+using SourceTexts = std::map<std::string, std::string>;
+
+/// Returns the contents of `file` and of every file that it includes, directly or indirectly. Throws
+/// InputError if a file is missing.
+SourceTexts source_texts(const std::filesystem::path& file);
+Sources hashes_of(const SourceTexts& texts);
+/// Returns the hashes of source_texts(file).
+Sources sources_of(const std::filesystem::path& file);
+
+/// Returns 16 hex digits: the FNV-1a hash of the paths and contents of the files.
+std::string hash_of(const Sources& sources);
+
+/// Returns the options without each "-D NAME" and "-D NAME=VALUE" whose NAME no source reads. Such an option
+/// changes nothing in the program, but drivers would compile the program again for each value.
+std::string options_read(const std::string& options, const SourceTexts& sources);
+
 /// What identifies a program: its file in the kernel folder and its build options.
 struct ProgramText {
   std::string file, options;
@@ -32,11 +50,7 @@ struct ProgramText {
 
 /// A program after its build.
 struct BuiltProgram {
-  BuiltProgram() = default;
-  ~BuiltProgram();
-  BuiltProgram(const BuiltProgram&) = delete;
-  BuiltProgram& operator=(const BuiltProgram&) = delete;
-  cl_program program = nullptr;
+  Owned<cl_program, clReleaseProgram> program;
   ProgramText text;  ///< with the options that the sources read
   std::string log;
   Sources sources;
@@ -57,7 +71,7 @@ class Program {
       : Program(device, ProgramText{file, options}) {}
   Program(Program&&) noexcept = default;
   Program& operator=(Program&&) noexcept = default;
-  cl_program get() const { return built_->program; }
+  cl_program get() const { return built_->program.get(); }
   const std::string& log() const { return built_->log; }
   double build_ms() const { return built_->build_ms; }
   const ProgramText& text() const { return built_->text; }  ///< with the options that the sources read
@@ -84,28 +98,31 @@ class Event {
   Event() = default;
   explicit Event(cl_event event, std::string kernel = {}, std::size_t bytes = 0)
       : event_(event), kernel_(std::move(kernel)), bytes_(bytes) {}
-  ~Event();
-  Event(Event&& other) noexcept;
-  Event& operator=(Event&& other) noexcept;
   /// Waits for the end of the command and returns its duration in ms. The result is empty if the device's
   /// timer is unusable (its resolution is 0, or the end of the command is not after its start).
   std::optional<double> milliseconds(const Device& device) const;
-  cl_event get() const { return event_; }
+  cl_event get() const { return event_.get(); }
   const std::string& kernel() const { return kernel_; }  ///< name of the kernel that was launched
   std::size_t bytes() const { return bytes_; }  ///< sum of the sizes of the kernel's buffer arguments
 
  private:
-  cl_event event_ = nullptr;
+  Owned<cl_event, clReleaseEvent> event_;
   std::string kernel_;
   std::size_t bytes_ = 0;
 };
 
+/// One pair per kernel launch, in launch order: the name of the phase, for instance "simulate" or "raster",
+/// and the event of the launch. Event times can be read only after the queue has finished.
+using PhaseEvents = std::vector<std::pair<std::string, Event>>;
+
+/// Appends a launch of the phase to `events`, unless `events` is null.
+inline void keep(PhaseEvents* events, const char* phase, Event event) {
+  if (events) events->emplace_back(phase, std::move(event));
+}
+
 class Kernel {
  public:
   Kernel(const Program& program, const std::string& name);
-  ~Kernel();
-  Kernel(Kernel&& other) noexcept;
-  Kernel& operator=(Kernel&& other) noexcept;
 
   /// Sets all arguments in order. An argument is a Buffer<T>, a Memory, or a trivially copyable value (a
   /// number or a struct of params.h).
@@ -158,11 +175,30 @@ class Kernel {
   void set_memory(cl_uint index, cl_mem memory);
   void set_bytes(cl_uint index, std::size_t bytes, const void* value);
 
-  cl_kernel kernel_ = nullptr;
+  Owned<cl_kernel, clReleaseKernel> kernel_;
   std::string name_;
   std::size_t bytes_ = 0;
   mutable Groups groups_;
 };
+
+/// Copies a vector into an array of a struct that the host passes to kernels.
+template <class V, std::size_t N>
+void copy(float (&to)[N], const V& from) {
+  for (std::size_t i = 0; i < N; ++i) to[i] = from[int(i)];
+}
+
+/// Returns the exponent if it is an integer from 1 to 1024, for which kernels multiply, else 0.
+int whole_exponent(float exponent);
+
+/// Returns `wanted`, or the device's number of lanes if `wanted` is 0. Throws InputError unless `wanted` is
+/// 0, 1 or 16.
+int lanes_of(const DeviceInfo& device, int wanted);
+
+/// Returns the number of units per work-item. A unit is `lanes` sticks, strands or triangles, which a
+/// work-item computes at a time, and `units` is their number. On a CPU the units are divided among about 8
+/// work-items per core, with at most 64 units per work-item; on a GPU a work-item computes one unit.
+/// `wanted`: number of slices of 16 per work-item; 0: the device's default.
+int units_per_item(const DeviceInfo& device, int lanes, int units, int wanted);
 
 /// The usual number of work-items of a work-group: 1 where a work-item computes several lanes, so that few
 /// work-items are distributed evenly over the cores, and 64 on other devices.

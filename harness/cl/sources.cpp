@@ -1,4 +1,3 @@
-#include "harness/cl/sources.hpp"
 
 #include <fmt/format.h>
 

@@ -15,7 +15,6 @@
 #include "harness/mesh/models.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/prepare/scene_mesh.hpp"
-#include "harness/springs/model/drawing.hpp"
 #include "harness/springs/model/layout.hpp"
 #include "harness/springs/model/network.hpp"
 #include "kernels/simulate/params.h"

@@ -7,7 +7,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/scene/spring_kinds.hpp"
-#include "harness/springs/reference/some_sticks.hpp"
+#include "harness/springs/reference/reference.hpp"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "harness/shells/reference/strands.hpp"
-#include "harness/springs/reference/some_sticks.hpp"
+#include "harness/springs/reference/reference.hpp"
 
 namespace pelage {
 

@@ -11,8 +11,7 @@
 #include "harness/springs/model/motion.hpp"
 #include "harness/strands/reference/chain.hpp"
 #include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/keyed.hpp"
-#include "harness/strands/scene/skin_frames.hpp"
+#include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage {
 namespace {

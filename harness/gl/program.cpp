@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <utility>
 #include <vector>
 
 #include "harness/data_folder.hpp"
@@ -64,35 +63,17 @@ std::string hash_of_files(const fs::path& folder) {
 }
 
 Program::Program(const Shader& vertex, const Shader& fragment) {
-  Program made;  // deletes the OpenGL program if an exception is thrown
-  made.id_ = glCreateProgram();
-  attach(made.id_, GL_VERTEX_SHADER, vertex);
-  attach(made.id_, GL_FRAGMENT_SHADER, fragment);
-  glLinkProgram(made.id_);
+  program_ = Object(glCreateProgram(), [](GLuint name) { glDeleteProgram(name); });
+  attach(id(), GL_VERTEX_SHADER, vertex);
+  attach(id(), GL_FRAGMENT_SHADER, fragment);
+  glLinkProgram(id());
   GLint ok = 0, length = 0;
-  glGetProgramiv(made.id_, GL_LINK_STATUS, &ok);
-  if (!ok) {
-    glGetProgramiv(made.id_, GL_INFO_LOG_LENGTH, &length);
-    std::string log(std::size_t(std::max(length, 1)), ' ');
-    glGetProgramInfoLog(made.id_, length, nullptr, log.data());
-    throw DeviceError(fmt::format("OpenGL does not link {} and {}:\n{}", vertex.name, fragment.name, log));
-  }
-  *this = std::move(made);
-}
-
-Program::~Program() {
-  if (id_ != 0) glDeleteProgram(id_);
-}
-Program::Program(Program&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
-Program& Program::operator=(Program&& other) noexcept {
-  std::swap(id_, other.id_);
-  return *this;
-}
-void Program::use() const {
-  glUseProgram(id_);
-}
-GLint Program::place(const char* uniform) const {
-  return glGetUniformLocation(id_, uniform);
+  glGetProgramiv(id(), GL_LINK_STATUS, &ok);
+  if (ok) return;
+  glGetProgramiv(id(), GL_INFO_LOG_LENGTH, &length);
+  std::string log(std::size_t(std::max(length, 1)), ' ');
+  glGetProgramInfoLog(id(), length, nullptr, log.data());
+  throw DeviceError(fmt::format("OpenGL does not link {} and {}:\n{}", vertex.name, fragment.name, log));
 }
 
 }  // namespace pelage::gl

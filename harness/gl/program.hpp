@@ -1,9 +1,9 @@
 // GLSL programs, and the folder of their files.
 #pragma once
-#include <epoxy/gl.h>
-
 #include <filesystem>
 #include <string>
+
+#include "harness/gl/objects.hpp"
 
 namespace pelage::gl {
 
@@ -30,15 +30,13 @@ class Program {
   /// Compiles and links two shaders. Throws DeviceError with OpenGL's log if OpenGL cannot compile or link
   /// them.
   Program(const Shader& vertex, const Shader& fragment);
-  ~Program();
-  Program(Program&& other) noexcept;
-  Program& operator=(Program&& other) noexcept;
-  GLuint id() const { return id_; }
-  void use() const;
-  GLint place(const char* uniform) const;  ///< location of the uniform, or -1 if the program does not use it
+  GLuint id() const { return program_.id(); }
+  void use() const { glUseProgram(id()); }
+  /// Location of the uniform, or -1 if the program does not use it.
+  GLint place(const char* uniform) const { return glGetUniformLocation(id(), uniform); }
 
  private:
-  GLuint id_ = 0;
+  Object program_{0, nullptr};
 };
 
 }  // namespace pelage::gl

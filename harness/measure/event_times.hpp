@@ -1,5 +1,5 @@
 // Tests whether the OpenCL event times of a case are plausible, given its wall times. Some drivers return
-// event times that are unrelated to the duration of the kernels. harness/cl/timer.hpp contains another test,
+// event times that are unrelated to the duration of the kernels. harness/cl/measure.hpp contains another test,
 // which `pelage devices` uses.
 #pragma once
 #include <map>

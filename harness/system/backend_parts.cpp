@@ -1,7 +1,5 @@
 #include "harness/system/backend_parts.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
 
 #include "harness/shells/opengl/opengl.hpp"
@@ -18,10 +16,6 @@ void add_agreement(Description& row, const Agreement& agreement) {
   row.metrics["worst_difference"] = {agreement.worst, "1"};
   row.metrics["flips"] = {double(agreement.flips), "pixels"};
   row.metrics["psnr_without_flips"] = {agreement.psnr_without_flips, "dB"};
-}
-
-std::string label_of(const cl::Device& device) {
-  return fmt::format("{}, {} {}", device.info().name, device.info().platform, device.info().driver);
 }
 
 std::string present_renderer() {

@@ -7,7 +7,7 @@
 #include "common/unroll.clh"
 #include "dialect.clh"
 
-// harness/cl/pair_sort.cpp defines these constants when it builds the kernels.
+// harness/cl/radix_sort.cpp defines these constants when it builds the kernels.
 #ifndef SORT_BITS
 #define SORT_BITS 8                             // bits of the key per pass
 #define SORT_ITEMS 1                            // work-items per work-group

@@ -1,5 +1,5 @@
 // Kernels of `pelage devices --measure`. They measure the peak rates of a device and the time of a kernel
-// launch. harness/cl/timer.cpp also runs the kernel chains(), to check the device's timer.
+// launch. The kernel chains() also checks the device's timer.
 #include "dialect.clh"
 
 // McCalpin's STREAM triad, a = b + s c: 12 bytes and 2 operations per float.

@@ -1,11 +1,10 @@
 // Tests the builds of programs on a thread of their own.
-#include "harness/cl/build_ahead.hpp"
-
 #include <gtest/gtest.h>
 
 #include <optional>
 
-#include "harness/cl/pair_sort.hpp"
+#include "harness/cl/builds.hpp"
+#include "harness/cl/radix_sort.hpp"
 #include "harness/error.hpp"
 
 using namespace pelage;

@@ -1,7 +1,6 @@
-#include "harness/cl/choose.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/cl/device.hpp"
 #include "harness/error.hpp"
 
 using namespace pelage;

@@ -1,7 +1,5 @@
 // Compares the device's sort of pairs with std::stable_sort. The results must be equal, for every number of
 // runs.
-#include "harness/cl/pair_sort.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "harness/cl/radix_sort.hpp"
 #include "harness/error.hpp"
 
 namespace pelage {

@@ -1,4 +1,3 @@
-#include "harness/cl/timer.hpp"
 
 #include <gtest/gtest.h>
 

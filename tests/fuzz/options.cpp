@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "harness/cl/choose.hpp"
+#include "harness/cl/device.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/experiment/filter.hpp"

@@ -149,7 +149,7 @@ TEST(House, PlantedInclusionsAreFound) {
       {"harness/scene/scene_read.cpp", "\"harness/shells/opencl/shells.hpp\""},
       {"harness/mesh/load.cpp", "\"harness/scene/scene.hpp\""},
       {"harness/shells/opencl/shells.cpp", "\"harness/shells/reference/reference.hpp\""},
-      {"harness/springs/model/layout.cpp", "\"harness/springs/opencl/stages.hpp\""},
+      {"harness/springs/model/layout.cpp", "\"harness/springs/opencl/mass_springs.hpp\""},
       {"harness/shells/reference/render.cpp", "\"harness/shells/opencl/shells.hpp\""},
       {"harness/measure/runner.cpp", "\"harness/subjects/pipelines.hpp\""},
       {"harness/record/row.hpp", "\"harness/cl/program.hpp\""},

@@ -9,7 +9,6 @@
 #include <regex>
 #include <set>
 
-#include "harness/cl/pair_sort.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/cl/radix_sort.hpp"
 #include "harness/shells/opencl/shells.hpp"

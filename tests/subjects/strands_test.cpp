@@ -4,7 +4,7 @@
 
 #include "harness/error.hpp"
 #include "harness/measure/runner.hpp"
-#include "harness/strands/opengl/ribbon_options.hpp"
+#include "harness/strands/opengl/ribbons.hpp"
 #include "harness/subjects/pipelines.hpp"
 
 namespace pelage {

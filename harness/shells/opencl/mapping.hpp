@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/scene/scene.hpp"
 #include "harness/shells/opencl/program_texts.hpp"

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "harness/cl/program.hpp"
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/scene/shading_models.hpp"
 
@@ -19,10 +20,7 @@ int place_of(const std::string& name, const List& list) {
   return int(std::find(std::begin(list), std::end(list), name) - std::begin(list));
 }
 
-template <class V>
-void copy(const V& from, float* to, int count) {
-  for (int k = 0; k < count; ++k) to[k] = from[k];
-}
+using cl::copy;
 
 // Packs four bytes into one word. `a` is the lowest byte.
 std::int32_t word_of(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
@@ -112,12 +110,12 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   RasterParams p{};
   p.width = camera.width;
   p.height = camera.height;
-  copy(camera.row_x, p.row_x, 4);
-  copy(camera.row_y, p.row_y, 4);
-  copy(camera.row_w, p.row_w, 4);
-  copy(camera.ray, p.ray, 3);
-  copy(camera.ray_dx, p.ray_dx, 3);
-  copy(camera.ray_dy, p.ray_dy, 3);
+  copy(p.row_x, camera.row_x);
+  copy(p.row_y, camera.row_y);
+  copy(p.row_w, camera.row_w);
+  copy(p.ray, camera.ray);
+  copy(p.ray_dx, camera.ray_dx);
+  copy(p.ray_dy, camera.ray_dy);
   p.near_depth = camera.near;
   p.vertices = geometry.vertices;
   p.triangles = geometry.triangles;
@@ -151,10 +149,9 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.surface_light = model.surface_light;
   p.two_sided = scene.shading.sides == "two";
   p.shadow = scene.shading.shadow;
-  copy(scene.shading.specular, p.specular, 3);
+  copy(p.specular, scene.shading.specular);
   p.exponent = scene.shading.exponent;
-  const bool whole = p.exponent >= 1 && p.exponent <= 1024 && std::floor(p.exponent) == p.exponent;
-  p.whole_exponent = whole && !p.surface_light ? int(p.exponent) : 0;
+  p.whole_exponent = p.surface_light ? 0 : cl::whole_exponent(p.exponent);
   p.ambient = scene.shading.ambient;
   p.wrap = scene.shading.wrap;
   p.occlusion = scene.shading.occlusion;
@@ -163,18 +160,18 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.tangent = place_of(scene.shading.tangent, tangent_readings);
   p.lights = int(scene.shading.lights.size());
   for (std::size_t i = 0; i < scene.shading.lights.size() && i < 2; ++i) {
-    copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);
+    copy(p.light[i], glm::normalize(scene.shading.lights[i].direction));
     p.intensity[i] = scene.shading.lights[i].intensity;
   }
   // The shading model of Banisch and Wüthrich (2006), section 3, is the model "wet" without three of its
   // terms: the highlight, the wrapped light and the darkening by wetness.
   if (model.plain) {
-    copy(glm::vec3(0.0f), p.specular, 3);
+    copy(p.specular, glm::vec3(0.0f));
     p.wrap = 0;
     p.darkening = 0;
   }
-  copy(scene.coat.skin, p.skin, 3);
-  copy(scene.image.background, p.background, 3);
+  copy(p.skin, scene.coat.skin);
+  copy(p.background, scene.image.background);
   return p;
 }
 

@@ -32,11 +32,6 @@ int tile_side(const Tuning& tuning, const std::string& axis, int otherwise) {
   return side;
 }
 
-template <class T>
-cl::Buffer<T> upload(const cl::Queue& queue, const std::vector<T>& values) {
-  return cl::Buffer<T>(queue, std::span<const T>(values));
-}
-
 // Returns the table of triangles with the reach of dry triangles, as the kernel triangle_reach writes it: the
 // number of layers plus 1.
 std::vector<std::int32_t> dry_corners(std::vector<std::int32_t> corner, int layers) {
@@ -94,31 +89,31 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
         layers_at_once_, params_.layers));
   params_.layer_batch = std::min(params_.layer_batch, layers_at_once_);
   set_pass(0);
-  uv_ = upload(queue, g.uv);
-  weight_ = upload(queue, g.weight);
-  slice_ = upload(queue, g.slice);
-  strand_ = upload(queue, g.strand);
+  uv_ = cl::uploaded(queue, g.uv);
+  weight_ = cl::uploaded(queue, g.weight);
+  slice_ = cl::uploaded(queue, g.slice);
+  strand_ = cl::uploaded(queue, g.strand);
   const auto vertices = std::size_t(g.vertices), screens = vertices * std::size_t(layers_at_once_ + 1);
   tip_ = cl::Buffer<float>(device, 3 * vertices);
   buffers_.tip = &tip_;
   RasterBuffers& b = buffers_;
-  b.layer_table = upload(queue, styled_layer_table(input, g));
+  b.layer_table = cl::uploaded(queue, styled_layer_table(input, g));
   const bool wet = !input.droplets.empty();
-  b.corner = upload(queue, wet ? g.corner : dry_corners(g.corner, params_.layers));
+  b.corner = cl::uploaded(queue, wet ? g.corner : dry_corners(g.corner, params_.layers));
   b.screen = cl::Buffer<float>(device, 4 * screens);
   b.box = cl::Buffer<float>(device, 4 * vertices * std::size_t(params_.layer_batches + 1));
-  b.vertex = upload(queue, g.vertex);
-  b.dry = wet ? cl::Buffer<float>(device, vertices) : upload(queue, dry_vertices(g));
+  b.vertex = cl::uploaded(queue, g.vertex);
+  b.dry = wet ? cl::Buffer<float>(device, vertices) : cl::uploaded(queue, dry_vertices(g));
   b.record = cl::Buffer<float>(device, RECORD * vertices);
-  b.tangent = upload(queue, g.tangent);
+  b.tangent = cl::uploaded(queue, g.tangent);
   // The kernels read b.curl only if fragments have several sub-steps (fur.substeps > 1).
   b.curl = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
-  b.fur = upload(queue, packed.get());
-  b.coat = upload(queue, packed_coat(input.coat));
+  b.fur = cl::uploaded(queue, packed.get());
+  b.coat = cl::uploaded(queue, packed_coat(input.coat));
   b.mask = &wet_stage.mask();
   b.image = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
   b.covered = cl::Buffer<std::uint32_t>(device, mapping_->counters(params_));
-  mask_uv_ = upload(queue, g.mask_uv);
+  mask_uv_ = cl::uploaded(queue, g.mask_uv);
   if (wet)
     reach_.emplace(queue, wet_text(input.scene, lanes_), lanes_, params_, wet_stage.changes(), uv_, b.corner);
   if (reach_ && options.refine) reach_->refine();

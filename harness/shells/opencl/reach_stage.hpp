@@ -3,7 +3,6 @@
 #pragma once
 #include <utility>
 
-#include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/raster_buffers.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "harness/cl/phases.hpp"
+#include "harness/cl/program.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/contact_stage.hpp"
 #include "harness/shells/opencl/geometry.hpp"

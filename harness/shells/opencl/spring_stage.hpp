@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "harness/cl/phases.hpp"
+#include "harness/cl/program.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/geometry.hpp"
 #include "harness/springs/opencl/adaptive.hpp"

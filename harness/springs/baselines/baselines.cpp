@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -21,9 +20,6 @@ double phase_at(const SpringNetwork& topology, const Wind& wind, std::size_t sti
 }
 
 template <class T>
-using Columns = std::array<std::vector<T>, 3>;
-
-template <class T>
 class SerialRival : public SolverRival {
  public:
   SerialRival(const SpringNetwork& topology, const Dynamics& dynamics, const Loops<T>& loops, int threads = 1)
@@ -31,100 +27,87 @@ class SerialRival : public SolverRival {
     course_.threads = threads;
     course_.residual = double(dynamics.residual);
     course_.most_iterations = dynamics.most_iterations;
-    const std::size_t sticks = topology.sticks(), triangles = topology.corner.size();
+    const std::size_t sticks = topology.sticks(), triangles = topology.corner.size(),
+                      edges = topology.edges().size();
     for (std::size_t i = 0; i < sticks; ++i)
       place_.push_back(kind_.own_edges() ? i % 3 * triangles + i / 3 : i);
-    for (Columns<T>* columns : {&root_, &normal_, &q_, &v_})
-      for (std::vector<T>& column : *columns) column.resize(sticks);
-    phase_cos_.resize(sticks), phase_sin_.resize(sticks);
+    const auto column = [&](std::size_t size) { return owned_.emplace_back(size).data(); };
+    const auto columns = [&](auto& list) {
+      for (T*& each : list) each = column(sticks);
+    };
+    Arrays<T>& a = arrays_;
+    a.sticks = int(sticks), a.edges = int(edges);
+    columns(a.root), columns(a.normal), columns(a.q), columns(a.v);
+    a.phase_cos = column(sticks), a.phase_sin = column(sticks), a.rest = column(edges);
     for (std::size_t i = 0; i < sticks; ++i) {
-      put(root_, i, topology.mass[i]);
-      put(normal_, i, topology.normal[i]);
+      put(a.root, i, topology.mass[i]);
+      put(a.normal, i, topology.normal[i]);
       const double phase = phase_at(topology, dynamics.wind, i);
-      phase_cos_[place_[i]] = T(std::cos(phase)), phase_sin_[place_[i]] = T(std::sin(phase));
+      a.phase_cos[place_[i]] = T(std::cos(phase)), a.phase_sin[place_[i]] = T(std::sin(phase));
     }
-    rest_.resize(topology.edges().size());
-    for (std::size_t e = 0; e < rest_.size(); ++e)
-      rest_[kind_.own_edges() ? e % 3 * triangles + e / 3 : e] = T(topology.rest[sticks + e]);
-    if (kind_.shared_edges()) {
-      for (const glm::uvec2 edge : topology.edges()) {
-        from_.push_back(int(edge.x) - int(sticks));
-        to_.push_back(int(edge.y) - int(sticks));
-      }
-      for (std::vector<T>& column : force_) column.resize(sticks);
-      if (dynamics.solver.implicit) {
-        for (std::vector<T>& column : vectors_) column.resize(sticks);
-        for (std::vector<T>& column : coupling_) column.resize(rest_.size());
-      }
-      for (std::vector<T>& column : work_) column.resize(dynamics.solver.multistage() ? sticks : 0);
+    for (std::size_t e = 0; e < edges; ++e)
+      a.rest[kind_.own_edges() ? e % 3 * triangles + e / 3 : e] = T(topology.rest[sticks + e]);
+    if (!kind_.shared_edges()) return;
+    for (const glm::uvec2 edge : topology.edges()) {
+      from_.push_back(int(edge.x) - int(sticks));
+      to_.push_back(int(edge.y) - int(sticks));
     }
+    a.from = from_.data(), a.to = to_.data();
+    columns(a.force[0]), columns(a.force[1]);
+    if (dynamics.solver.multistage()) columns(a.work);
+    if (!dynamics.solver.implicit) return;
+    Gradients<T>& g = a.gradients;
+    for (auto* list : {&g.change, &g.load, &g.residual, &g.precond, &g.way, &g.product[0], &g.product[1]})
+      columns(*list);
+    for (auto* list : {&g.diagonal[0], &g.diagonal[1], &g.inverse}) columns(*list);
+    for (T*& each : g.coupling) each = column(edges);
   }
 
   void set(const Motions& state) override {
-    for (std::size_t i = 0; i < place_.size(); ++i) put(q_, i, state.offset[i]), put(v_, i, state.speed[i]);
-    for (std::vector<T>& column : vectors_) std::fill(column.begin(), column.end(), T(0));
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+      put(arrays_.q, i, state.offset[i]);
+      put(arrays_.v, i, state.speed[i]);
+    }
+    for (T* change : arrays_.gradients.change)
+      if (change) std::fill_n(change, place_.size(), T(0));
   }
 
   void advance(const std::vector<Moment>& moments, int steps) override {
     course_.moments = moments.data();
     course_.steps = steps;
-    const Arrays<T> a = arrays();
     if (kind_.shared_edges())
-      iterations_ += loops_.prisms(a, course_);
+      iterations_ += loops_.prisms(arrays_, course_);
     else if (kind_.own_edges())
-      loops_.triangles(a, course_);
+      loops_.triangles(arrays_, course_);
     else
-      loops_.sticks(a, course_);
+      loops_.sticks(arrays_, course_);
   }
 
   long iterations() const override { return iterations_; }
 
   Motions state() const override {
     Motions found;
+    const Arrays<T>& a = arrays_;
     for (const std::size_t place : place_) {
-      found.offset.emplace_back(q_[0][place], q_[1][place], q_[2][place]);
-      found.speed.emplace_back(v_[0][place], v_[1][place], v_[2][place]);
+      found.offset.emplace_back(a.q[0][place], a.q[1][place], a.q[2][place]);
+      found.speed.emplace_back(a.v[0][place], a.v[1][place], a.v[2][place]);
     }
     return found;
   }
 
  private:
-  void put(Columns<T>& columns, std::size_t stick, glm::vec3 value) {
+  void put(T* const (&columns)[3], std::size_t stick, glm::vec3 value) {
     for (std::size_t c = 0; c < 3; ++c) columns[c][place_[stick]] = T(value[int(c)]);
-  }
-  Arrays<T> arrays() {
-    Arrays<T> a;
-    a.sticks = int(place_.size()), a.edges = int(rest_.size());
-    for (std::size_t c = 0; c < 3; ++c) {
-      a.root[c] = root_[c].data(), a.normal[c] = normal_[c].data();
-      a.q[c] = q_[c].data(), a.v[c] = v_[c].data();
-      a.force[0][c] = force_[c].data(), a.force[1][c] = force_[3 + c].data();
-    }
-    std::size_t next = 0;
-    Gradients<T>& g = a.gradients;
-    for (T** list : {g.change, g.load, g.residual, g.precond, g.way, g.product[0], g.product[1]})
-      for (int c = 0; c < 3; ++c) list[c] = vectors_[next++].data();
-    for (T** list : {g.diagonal[0], g.diagonal[1], g.inverse})
-      for (int c = 0; c < 6; ++c) list[c] = vectors_[next++].data();
-    for (std::size_t c = 0; c < coupling_.size(); ++c) g.coupling[c] = coupling_[c].data();
-    for (std::size_t c = 0; c < work_.size(); ++c) a.work[c] = work_[c].data();
-    a.phase_cos = phase_cos_.data(), a.phase_sin = phase_sin_.data();
-    a.from = from_.data(), a.to = to_.data(), a.rest = rest_.data();
-    return a;
   }
 
   Kind kind_;
   Course course_;
   Loops<T> loops_;
-  std::vector<std::size_t> place_;  // index of each stick in the arrays
-  Columns<T> root_, normal_, q_, v_;
-  std::array<std::vector<T>, 6> force_;
-  std::array<std::vector<T>, 12> work_;
-  std::array<std::vector<T>, 21 + 18> vectors_;  // conjugate-gradient arrays with one value per stick
-  std::array<std::vector<T>, 4> coupling_;
-  long iterations_ = 0;
-  std::vector<T> phase_cos_, phase_sin_, rest_;
+  std::vector<std::size_t> place_;     // index of each stick in the arrays
+  std::vector<std::vector<T>> owned_;  // the arrays to which arrays_ points
   std::vector<int> from_, to_;
+  Arrays<T> arrays_;
+  long iterations_ = 0;
 };
 
 template <class T>

@@ -11,8 +11,7 @@
 
 namespace pelage::springs {
 
-/// State of the top mass of each stick: its position relative to the stick's base in R, and its velocity in
-/// R/s. R is the radius of the mesh's bounding sphere.
+/// State of the top of each stick: its position relative to the stick's base in R, and its velocity in R/s.
 struct Motions {
   std::vector<glm::vec3> offset, speed;
 };
@@ -38,12 +37,11 @@ struct NamedRival {
   int threads = 1;
 };
 
-/// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The baseline with a
-/// sparse direct factorization takes seconds and gigabytes on large systems. The function returns this
-/// baseline only for fewer than `most_direct` sticks. Some baselines are compiled for the processor of the
-/// machine that built pelage. If the processor that runs pelage does not support the vector instructions of
-/// such a baseline, the function omits the baseline. If `dynamics.full_jacobian` is set, no baseline is
-/// available for backward Euler.
+/// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The one with a sparse
+/// direct factorization takes seconds and gigabytes on large systems, so it is left out from `most_direct`
+/// sticks on. Those that are compiled for the processor of the machine that built pelage are left out where
+/// the processor lacks the vector instructions. For backward Euler with `dynamics.full_jacobian` there is no
+/// baseline.
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 

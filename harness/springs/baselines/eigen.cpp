@@ -1,6 +1,6 @@
-// This macro renames the namespace Eigen in this file. The file is compiled with -march=native; other files
-// of pelage must run on any processor. If the namespace kept its name, the linker could let the
-// other files call the functions of Eigen that are compiled in this file.
+// This file is compiled with -march=native; other files of pelage must run on any processor. The macro
+// renames the namespace, so that the linker does not let other files call the functions of Eigen of this
+// file.
 #define Eigen pelage_native_eigen
 #include "harness/springs/baselines/eigen.hpp"
 
@@ -203,10 +203,8 @@ class Whole : public Base<T> {
     s.setTolerance(T(0));
   };
 
-  // Computes the sparsity pattern. The matrix consists of 3 x 3 blocks; row i of blocks belongs to the top
-  // mass of stick i. For each row, lists the columns of its blocks in ascending order. Also lists, for each
-  // block, the edge that the block belongs to (-1 for the diagonal block). Then writes the pattern to the
-  // matrix.
+  // Computes the sparsity pattern: for each row of blocks, the columns of its blocks in ascending order, and
+  // the edge to which each block belongs (-1 for the diagonal block).
   void lay_out() {
     for (int e = 0; e < this->edges_; ++e)
       ++first_[this->ends_[2 * e] + 1], ++first_[this->ends_[2 * e + 1] + 1];

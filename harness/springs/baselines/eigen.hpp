@@ -1,5 +1,4 @@
-// Baselines that compute backward Euler with the library Eigen 3.4, compiled with -O3 -march=native. Lengths
-// are in R, the radius of the mesh's bounding sphere.
+// Baselines that compute backward Euler with the library Eigen 3.4, compiled with -O3 -march=native.
 #pragma once
 #include <memory>
 
@@ -31,9 +30,9 @@ class EigenSolver {
   virtual long iterations() const = 0;  ///< number of conjugate gradient iterations so far
 };
 
-/// A mass-spring system as plain arrays. Each stick has a root (3 values), a normal (3 values), and the
-/// cosine and sine of the gust's phase (2 values). Each edge (a spring between two top masses) has the
-/// indices of its two sticks (`ends`) and a rest length in R.
+/// A mass-spring system as plain arrays. Each stick has a root (3 values, in R), a normal (3 values), and the
+/// cosine and sine of the gust's phase (2 values). Each edge has the indices of its two sticks (`ends`) and a
+/// rest length in R.
 template <class T>
 struct EigenSystem {
   int sticks = 0, edges = 0;

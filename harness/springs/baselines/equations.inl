@@ -104,9 +104,8 @@ PELAGE_INLINE Symmetric<T> symmetric(T a, T b, V<T> s, T c, V<T> t) {
           b * s.x * s.z + c * t.x * t.z,     b * s.y * s.z + c * t.y * t.z};
 }
 
-// The equation of backward Euler for the top mass of one stick, if no springs connect it to other top masses:
-// block * dv = load. The unknown dv is the change of the mass's velocity, `block` is a 3 x 3 matrix, and
-// `load` is the right-hand side.
+// The equation of backward Euler for the top of a stick without edges: block * dv = load, where dv is the
+// change of its velocity.
 template <class T>
 struct Row {
   Symmetric<T> block;
@@ -125,14 +124,12 @@ PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q
           h * force - pulled};
 }
 
-// An edge is a spring between two top masses. This struct contains the terms that one edge adds to the
-// equations of backward Euler. The unit vector s points from the first end of the edge to the second end. The
-// 3 x 3 matrix even * I + along * s s^T is added to the diagonal blocks of both ends and subtracted from the
-// two blocks that couple the ends. The vector `drawn` is added to the right-hand side of the first end and
-// subtracted from the right-hand side of the second end. `drawn` is h^2 K dv, where h is the time step, K is
-// the edge's stiffness matrix, and dv is the velocity of the second end minus the velocity of the first end.
-// `along` is the sum of a stiffness term and a damping term. Without the damping term, even * I + along * s
-// s^T is equal to h^2 K.
+// The terms that an edge (a spring between two tops) adds to the equations. The unit vector s points from its
+// first end to its second end. The matrix even * I + along * s s^T, which is h^2 K plus a damping term, is
+// added to the diagonal blocks of both ends and subtracted from the two blocks that couple the ends. `drawn`,
+// which is h^2 K times the velocity of the second end relative to the first, is added to the right-hand side
+// of the first end and subtracted from that of the second end. h is the time step, and K the edge's stiffness
+// matrix.
 template <class T>
 struct Coupling {
   V<T> s, drawn;
@@ -214,9 +211,8 @@ PELAGE_INLINE Symmetric<T> less_product(const Symmetric<T>& a, const Matrix<T>& 
           a.xy - dot(b.x, c.y), a.xz - dot(b.x, c.z), a.yz - dot(b.y, c.z)};
 }
 
-// Solves the nine equations of the three top masses of a separable prism by block elimination. row[c]
-// contains the 3 x 3 diagonal block and the right-hand side of the top mass at corner c. side[c] is -1 times
-// the 3 x 3 block that couples corner c to corner (c + 1) mod 3.
+// Solves the nine equations of a separable prism by block elimination. row[c] is the equation of the top at
+// corner c. side[c] is -1 times the 3 x 3 block that couples corner c to corner (c + 1) mod 3.
 template <class T>
 PELAGE_INLINE void solve_triangle(const Row<T> row[3], const Symmetric<T> side[3], V<T> change[3]) {
   const Matrix<T> m01 = columns(side[0]), m12 = columns(side[1]), m02 = columns(side[2]);

@@ -1,8 +1,6 @@
-// Backward Euler on shared prisms (adjacent prisms share their sticks). Each step solves the equations of all
-// top masses by conjugate gradients. The preconditioner consists of the inverses of the 3 x 3 diagonal
-// blocks. loops.inl includes this file. The edge between two top masses couples their equations by the matrix
-// even I + g g^T. coupling_of() computes `even`, `along` and s, the unit vector along the edge. The vector g
-// is sqrt(along) * s. `along` is not negative.
+// Backward Euler on prisms: each step solves the equations of all tops by conjugate gradients, preconditioned
+// by the inverses of the 3 x 3 diagonal blocks. loops.inl includes this file. An edge couples the equations of
+// its two tops by the matrix even I + g g^T, where g is sqrt(along) * s (coupling_of()).
 
 // Computes the coupling of the edges `first` to `end` - 1. For each edge, adds terms to the diagonal blocks
 // and to the right-hand sides of the two sticks at its ends, in the arrays of the thread `part`.
@@ -35,10 +33,9 @@ void edge_rows(const Arrays<T> a, const Constants<T> p, int part, int first, int
   }
 }
 
-// Computes the diagonal blocks, their inverses and the right-hand sides of the sticks `first` to `end` - 1.
-// The blocks and the right-hand sides include the terms of the edges. With two threads, each thread has added
-// the terms of its edges to its own arrays (edge_rows()). This function adds the arrays of the second thread
-// to those of the first, and sets the arrays of the second thread to 0.
+// Computes the diagonal blocks, their inverses and the right-hand sides of the sticks `first` to `end` - 1,
+// with the terms of the edges that each thread has added to its own arrays (edge_rows()). Sets the arrays of
+// the second thread to 0.
 template <class T>
 void stick_rows(const Arrays<T> a, const Constants<T> p, int threads, int first, int end) {
   const Gradients<T>& g = a.gradients;

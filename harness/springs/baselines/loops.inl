@@ -1,7 +1,7 @@
-// The loops of the plain and fast baseline solvers, which run on the CPU without OpenCL. plain_loops.cpp and
-// fast_loops.cpp include this file and are compiled with different flags. The loops over sticks and over
-// triangles run all steps for one tile of 256 sticks or triangles before they start the next tile, so that
-// the tile's state stays in the first-level cache. Several threads divide the tiles among themselves.
+// The loops of the serial baselines. plain_loops.cpp and fast_loops.cpp include this file and are compiled
+// with different flags. The loops over sticks and over triangles run all steps for one tile of 256 sticks or
+// triangles before they start the next tile, so that the tile's state stays in the first-level cache. Several
+// threads divide the tiles among themselves.
 
 constexpr int tile = 256;
 
@@ -16,14 +16,10 @@ PELAGE_INLINE V<T> at(T* const column[3], int i) {
   return {column[0][i], column[1][i], column[2][i]};
 }
 template <class T>
-PELAGE_INLINE V<T> at(const T* const column[3], int i) {
-  return {column[0][i], column[1][i], column[2][i]};
-}
-template <class T>
 PELAGE_INLINE void put(T* const column[3], int i, V<T> a) {
   column[0][i] = a.x, column[1][i] = a.y, column[2][i] = a.z;
 }
-// Pointers to the arrays of the positions q and the velocities v of the top masses, one array per coordinate.
+// The positions q and the velocities v of the tops.
 template <class T>
 struct Lists {
   T *q[3], *v[3];
@@ -37,8 +33,7 @@ PELAGE_INLINE Place<T> place(const Arrays<T>& a, int i) {
   return {at(a.root, i), at(a.normal, i), a.phase_cos[i], a.phase_sin[i]};
 }
 
-// State of the top masses of one independent system: N = 1 for a single stick, N = 3 for the three sticks of
-// a separable prism.
+// State of the tops of one independent system: N = 1 for a stick, N = 3 for a separable prism.
 template <class T, int N>
 struct Block {
   V<T> q[N], v[N];
@@ -126,9 +121,8 @@ PELAGE_INLINE Block<T, N> stepped(const Constants<T>& p, const Outside<T>* t, co
   return b;
 }
 
-// Calls work(part) for the parts 0 to threads - 1. If there are more than `tile` items, each part runs on its
-// own thread. Otherwise one thread runs all parts, because starting a second thread would take longer than
-// the work.
+// Calls work(part) for the parts 0 to threads - 1. Up to `tile` items, one thread runs all parts, because
+// starting a second thread would take longer than the work.
 template <class Work>
 void in_parts(int threads, int items, const Work& work) {
   if (threads == 1) return work(0);
@@ -140,8 +134,7 @@ inline int begin_of(int part, int threads, int count) {
   return int(std::int64_t(part) * count / threads);
 }
 
-// Computes all time steps of the independent systems `first` to `end` - 1 (single sticks if N = 1, triangles
-// if N = 3).
+// Computes all time steps of the independent systems `first` to `end` - 1.
 template <class T, int N, Scheme scheme, bool moving>
 void through_tile(const Arrays<T> a, const Constants<T> constants, const Course& course, int first, int end) {
   Constants<T> p = constants;
@@ -181,8 +174,7 @@ void through_blocks(const Arrays<T>& a, const Course& course) {
   });
 }
 
-// Sets force[0] to the forces on the top masses of the sticks `first` to `end` - 1 of shared prisms (adjacent
-// prisms share their sticks). The forces of the springs between top masses are not included.
+// Sets force[0] to the forces on the tops of the sticks `first` to `end` - 1, without those of the edges.
 template <class T, bool moving>
 void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment& moment, const Lists<T> state,
                   int first, int end) {
@@ -194,9 +186,8 @@ void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment&
     put(a.force[0], i, stick_force(p, t, place(a, i), at(state.q, i), at(state.v, i)));
 }
 
-// Adds the forces of the edges `first` to `end` - 1 to `force`. An edge is a spring between two top masses.
-// For each tile of 256 edges, one loop computes the spring forces, and a second loop adds them to the forces
-// on both ends of the edges.
+// Adds the forces of the edges `first` to `end` - 1 to `force`. Of each tile of 256 edges, one loop computes
+// the forces, so that it is vectorized, and a second loop adds them to both ends of the edges.
 template <class T>
 void edge_forces(const Arrays<T> a, const Constants<T> p, const Lists<T> state, T* const force[3], int first,
                  int end) {
@@ -228,9 +219,8 @@ void gather_parts(T* const sum[3], T* const other[3], int first, int end) {
   }
 }
 
-// Sets force[0] to the forces on all top masses of shared prisms. With two threads, each thread processes
-// half of the edges. The second thread adds its forces to force[1]. Then gather_parts() adds force[1] to
-// force[0] and sets force[1] to 0. Before the call, force[1] must contain zeros.
+// Sets force[0] to the forces on all tops. With two threads, each thread processes half of the edges, and the
+// second adds its forces to force[1], which contains zeros before the call.
 template <class T, bool moving>
 void all_forces(const Arrays<T>& a, const Constants<T>& p, const Moment& moment, const Lists<T>& state,
                 int threads) {

@@ -1,5 +1,3 @@
-#include "harness/springs/model/drawing.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,14 +7,13 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {
 namespace {
 
 constexpr double panel = 360, margin = 16, title = 26;  // pixels
-// The drawings of separable-sticks and separable-prisms show gaps between the triangles, because each corner
-// is moved towards the centre of its triangle. This constant is the length of the movement as a fraction of
-// the corner's distance from the centre.
+// Part of its distance from the centre of its triangle by which a corner of a separable topology is moved.
 constexpr double pulled_in = 0.16;
 // Masses are drawn as dots only if the topology has at most this many sticks.
 constexpr std::size_t most_dots = 300;

@@ -90,10 +90,6 @@ void check(const Dynamics& d) {
   not_negative("frequency of the object's swing (Hz)", d.motion.swing_frequency);
 }
 
-bool turns(const Dynamics& d) {
-  return d.motion.spin != 0 || (d.motion.swing != 0 && d.motion.swing_frequency != 0);
-}
-
 std::vector<Moment> moments(const Dynamics& dynamics, long first, int substeps) {
   std::vector<Moment> found;
   for (int i = 0; i <= 2 * substeps; ++i)
@@ -114,7 +110,7 @@ TopologyParams params(const Dynamics& d, float length) {
   p.return_weight = d.return_weight;
   p.step = d.step;
   p.most_square = d.lost_stretch * length * d.lost_stretch * length;
-  p.moving = turns(d);
+  p.moving = turns(d.motion);
   return p;
 }
 

@@ -30,13 +30,10 @@ struct Dynamics {
   float return_weight = 0.2f;   ///< weight w of the return force in N (Eq. 5 of Banisch and Wuethrich 2006)
   float residual = 1e-5f;       ///< relative residual |r| / |b| of A x = b at which conjugate gradients stop
   int most_iterations = 500;    ///< largest number of conjugate gradient iterations per step
-  /// If true, backward Euler uses all terms of the derivatives of the forces. If false, backward Euler omits
-  /// the terms that would make the matrix of its equations asymmetric or indefinite (docs/springs.md,
-  /// section Solvers).
+  /// False: backward Euler omits the terms of the derivatives that would make its matrix asymmetric or
+  /// indefinite (docs/springs.md, section Solvers).
   bool full_jacobian = false;
-  /// If a stick is longer than this many rest lengths, the simulation stops and reports that it has diverged.
-  /// Must be above 1.
-  float lost_stretch = most_stretch;
+  float lost_stretch = most_stretch;  ///< a longer stick, in rest lengths, has diverged; above 1
   glm::vec3 gravity{0, -9.81f, 0};
   Wind wind;
   Motion motion;
@@ -46,12 +43,9 @@ struct Dynamics {
 /// vector. The message is one line that names the value and the valid range.
 void check(const Dynamics& dynamics);
 
-/// Returns whether the object rotates. The coordinate frame of a rotating object is not inertial.
-bool turns(const Dynamics& dynamics);
-
-/// Returns wind, gravity and the object's motion at the times (first + i / 2) * dt for i = 0 to 2 * substeps.
-/// `first` is the index of the first step and dt is the time step, so the times are half a time step apart.
-/// All values are computed in double precision and then rounded to float.
+/// Returns wind, gravity and the object's motion at the times (first + i / 2) * dt for i = 0 to 2 * substeps,
+/// where `first` is the index of the first step and dt is the time step. All values are computed in double
+/// precision and then rounded to float.
 std::vector<Moment> moments(const Dynamics& dynamics, long first, int substeps);
 
 /// Returns the kernels' parameters. `length` is the length of the sticks in R. Members that depend on the

@@ -110,32 +110,25 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // All values have 4 bytes. `columns` is the number of floats per place (a place holds a stick or padding):
-  // SITE_COLUMNS floats in the buffer `sites`, and 3 floats in each of the buffers `push`, `offset` and
-  // `speed`. `values` is the number of values in all other buffers. The buffer diverged_at has one value per
-  // place, and `first` has one value. `sides` has the rest lengths of the topology separable-prisms and is
-  // empty for the other topologies.
+  // All values have 4 bytes. `columns` is the number of floats per place: SITE_COLUMNS in the buffer `sites`,
+  // and 3 in each of `push`, `offset` and `speed`. `values` is the number of values in all other buffers: one
+  // per place in diverged_at, one in `first`, and `sides`.
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  // From here on, the topology is prisms. This topology stores the speed of a top mass in a row of four
-  // floats, three of which are already counted. It also stores the position of a top mass in a row of four
-  // floats.
+  // The topology is prisms, which stores the speed and the position of a top in rows of four floats. Three of
+  // them are already counted.
   columns += 1 + 4;
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
-    // The solver solves A x = b by conjugate gradients. For each stick it stores the position of the base, x
-    // and the direction d with 4 floats each, and the residual r and the product A d with 3 floats each. It
-    // also stores a diagonal block of A and the inverse of this block. Both are symmetric 3 x 3 matrices with
-    // 6 floats each.
+    // Conjugate gradients for A x = b: position of the base, x and direction d (4 floats each), residual r
+    // and product A d (3 each), and the diagonal block of A and its inverse (6 each).
     columns += 12 + 6 + 12;
     values += 3 * layout.neighbour.size();
   } else {
     columns += 8;  // tip and speed after the step, 4 floats each
-    // RK4 computes a step in four stages. It needs one more buffer of tips and one more buffer of speeds,
-    // each with 4 floats per stick. For each stick it also stores three vectors of 3 floats. One vector is
-    // the offset at the current stage. The other two vectors accumulate the result of the step: they start
-    // with the offset and the speed before the step, and each stage adds its weighted derivatives.
+    // RK4 needs one more buffer of tips and one of speeds (4 floats each), the offset at the current stage,
+    // and the sums of the weighted derivatives of offset and speed (3 each).
     if (solver.multistage()) columns += 8 + 9;
   }
   return 4 * (columns * layout.places() + values);

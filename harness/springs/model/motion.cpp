@@ -6,6 +6,18 @@
 
 namespace pelage::springs {
 
+Wind wind_of(const WindScene& w, float drag) {
+  return {w.direction, drag > 0 ? w.strength / drag : 0, w.gust, w.frequency, w.wavelength};
+}
+
+Motion motion_of(const MotionScene& m) {
+  return {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+}
+
+bool turns(const Motion& m) {
+  return m.spin != 0 || (m.swing != 0 && m.swing_frequency != 0);
+}
+
 Pose pose_at(const Motion& m, double time) {
   constexpr double turn = 2 * std::numbers::pi;
   const double a = turn * double(m.shake_frequency), b = turn * double(m.swing_frequency);

@@ -1,7 +1,8 @@
-// Wind, and the motion of the object that carries the fur. R is the radius of the mesh's bounding sphere. It
-// counts as 1 m.
+// Wind, and the motion of the object that carries the fur. R counts as 1 m.
 #pragma once
 #include <glm/vec3.hpp>
+
+#include "harness/scene/scene.hpp"
 
 namespace pelage::springs {
 
@@ -38,6 +39,14 @@ struct Pose {
   double rate;              ///< theta', rad/s
   double rate_up;           ///< theta'', rad/s^2
 };
+
+/// Converts the scene's keys. The wind has the speed strength / drag, or 0 if `drag` is 0: at rest, it exerts
+/// the force `strength` on what has this drag.
+Wind wind_of(const WindScene& scene, float drag);
+Motion motion_of(const MotionScene& scene);
+
+/// Returns whether the object rotates. The coordinate frame of a rotating object is not inertial.
+bool turns(const Motion& motion);
 
 /// Returns the object's motion at `time` in seconds.
 Pose pose_at(const Motion& motion, double time);

@@ -109,9 +109,8 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
   return topology;
 }
 
-// hit() tests every triangle, because a scene has at most one ray: the ray that finds the triangle of its
-// poke (a local force). Building the search tree of harness/mesh/search.hpp would take 50 times as long as
-// the tests of all triangles.
+// hit() tests every triangle, because a scene has at most one ray, that of its poke. Building the search tree
+// of harness/mesh/search.hpp would take 50 times as long.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction) {
   std::optional<std::size_t> found;
   double nearest = std::numeric_limits<double>::infinity();
@@ -130,19 +129,6 @@ std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 d
     found = f;
   }
   return found;
-}
-
-std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force) {
-  if (face >= topology.corner.size())
-    throw InputError(fmt::format("poke: triangle {} does not exist; the mesh has {} triangles", face,
-                                 topology.corner.size()));
-  for (int c = 0; c < 3; ++c)
-    if (!std::isfinite(force[c]))
-      throw InputError(fmt::format("poke: the force is ({}, {}, {}) N; all three components must be finite",
-                                   force.x, force.y, force.z));
-  std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
-  for (int c = 0; c < 3; ++c) push[topology.corner[face][c]] = force;
-  return push;
 }
 
 Degrees degrees(const SpringNetwork& topology) {

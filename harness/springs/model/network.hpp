@@ -1,5 +1,5 @@
 // Networks of masses and springs over a surface: the four topologies of Banisch and Wuethrich 2006,
-// section 4. R is the radius of the mesh's bounding sphere.
+// section 4.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -15,27 +15,23 @@
 
 namespace pelage::springs {
 
-/// Selects the places of the sticks in the topologies sticks and prisms. `points` places one stick on each
-/// surface point, so that the topology is connected across UV seams. `copies` places one stick on each vertex
-/// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so `copies` splits the
+/// Selects the places of the sticks in the topologies sticks and prisms: one stick on each surface point, so
+/// that the topology is connected across UV seams, or on each vertex of the mesh (`copies`), which splits the
 /// topology along the seams. Banisch and Wuethrich do not state whether they count surface points or vertices
-/// (docs/springs.md). The topologies separable-sticks and separable-prisms always have one stick at each
-/// corner of each triangle, so they ignore this choice.
+/// (docs/springs.md). The separable topologies always have one stick at each corner of each triangle.
 enum class Vertices { points, copies };
 
-/// Selects the position at which the gusts on a stick are computed. `sticks` selects the base of the stick,
-/// so all sticks at one surface point have the same wind. `triangles` selects the centroid of the triangle to
-/// which the stick belongs, so the sticks at one surface point have different gusts and can move apart. In
-/// the topologies sticks and prisms, several triangles share a stick, so the gusts are always computed at the
-/// base of the stick.
+/// Selects the position at which the gusts on a stick are computed: its base, so that all sticks at a surface
+/// point have the same wind, or the centroid of its triangle, so that they have different gusts and can move
+/// apart. In the topologies sticks and prisms, several triangles share a stick, and the position is always
+/// the base.
 enum class Gusts { sticks, triangles };
 
-/// Masses and springs of a topology. Stick i connects mass i with mass i + sticks(). Mass i is the base of
-/// stick i and is fixed to the skin. Mass i + sticks() is the top mass of stick i and can move. The first
-/// sticks() springs are the sticks. The other springs connect top masses, and each of them occurs once. In
-/// the topologies separable-sticks and separable-prisms, stick 3 * f + c stands on corner c of triangle f. In
-/// separable-prisms, the springs between the top masses of triangle f connect corners (0, 1), (1, 2) and (2,
-/// 0), in that order.
+/// Masses and springs of a topology. Mass i is the base of stick i and is fixed to the skin. Mass
+/// i + sticks() is its top and can move. The first sticks() springs are the sticks. The other springs connect
+/// tops, and each of them occurs once. In the separable topologies, stick 3 * f + c stands on corner c of
+/// triangle f. In separable-prisms, the springs between the tops of triangle f connect corners (0, 1), (1, 2)
+/// and (2, 0), in that order.
 struct SpringNetwork {
   Kind kind = Kind::sticks;
   std::vector<glm::vec3> mass;       ///< rest position of each mass in R
@@ -66,9 +62,16 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
 /// hits. Both sides of a triangle can be hit. Returns nothing if the ray hits no triangle.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction);
 
-/// Returns one force in newtons per stick: `force` for the three sticks at the corners of triangle `face`,
-/// and 0 for all other sticks. Throws InputError if `face` is out of range or `force` is not finite.
-std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force);
+/// Largest number of triangles that drawing_of accepts. In larger meshes the triangles are too small to
+/// distinguish on a page.
+inline constexpr std::size_t most_drawn = 20000;
+
+/// Returns an SVG with one panel per topology. Each panel shows the surface of `mesh` from the front and
+/// slightly from above, the sticks in one colour and the springs between tops in another. Sticks and springs
+/// behind the surface are hidden. Of the separable topologies, each mass is drawn nearer to the centre of its
+/// triangle, so that gaps between the triangles are visible, as in Figure 5b of the paper. `length` is the
+/// rest length of the sticks in R, above 0. Throws InputError if the mesh has more than most_drawn triangles.
+std::string drawing_of(const Mesh& mesh, float length);
 
 /// Least, largest and mean number of springs at a top mass.
 struct Degrees {

@@ -9,9 +9,8 @@
 namespace pelage::springs {
 namespace {
 
-// Target of a poke (a local force on the fur): a point (in R, the radius of the mesh's bounding
-// sphere), and the index of the triangle that the poke's ray hits. If the scene has no ray, `triangle` is the
-// number of triangles, which is not a valid index.
+// Target of a poke: a point in R, and the index of the triangle that the poke's ray hits. If the scene has no
+// ray, `triangle` is the number of triangles, which is not a valid index.
 struct Aim {
   glm::dvec3 point;
   std::size_t triangle;
@@ -46,11 +45,8 @@ Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology) 
   d.residual = scene.springs.residual;
   d.full_jacobian = scene.springs.jacobian == "full";
   d.gravity = scene.gravity;
-  const WindScene& wind = scene.wind;
-  d.wind = {wind.direction, scene.drag > 0 ? wind.strength / scene.drag : 0, wind.gust, wind.frequency,
-            wind.wavelength};
-  const MotionScene& m = scene.motion;
-  d.motion = {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+  d.wind = wind_of(scene.wind, scene.drag);
+  d.motion = motion_of(scene.motion);
   if (scene.springs.reference_area > 0) {
     const auto share = float(topology.stick_area / double(scene.springs.reference_area));
     for (float* constant : {&d.mass, &d.stiffness, &d.damping, &d.drag, &d.return_weight}) *constant *= share;

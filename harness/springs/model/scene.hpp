@@ -9,22 +9,15 @@
 
 namespace pelage::springs {
 
-/// Converts the scene's dynamics to the parameters of the mass-spring solvers. The wind's speed is
-/// wind.strength / drag of the scene, or 0 if drag is 0. A wind of this speed exerts the force wind.strength
-/// on a mass at rest. In the strand model of Silva et al. 2010, the wind exerts this force on the mass of a
-/// strand. If springs.reference_area of the scene is above 0, the constants of a stick (mass, stiffness,
-/// damping, drag, weight of the return force) are multiplied by a factor. The factor is the topology's mean
-/// surface area per stick, divided by the reference area. The constants of the springs between top masses do
-/// not change.
+/// Converts the scene's dynamics to the parameters of the mass-spring solvers. If springs.reference_area of
+/// the scene is above 0, the constants of a stick (mass, stiffness, damping, drag, weight of the return
+/// force) are multiplied by the topology's mean surface area per stick, divided by the reference area. The
+/// constants of the springs between tops do not change.
 Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology);
 
-/// Builds the masses and springs of the scene's topology on the scene's mesh. The topologies sticks and
-/// prisms have one stick per surface point. The topologies separable-sticks and separable-prisms have one
-/// stick per corner of each triangle.
+/// Builds the masses and springs of the scene's topology, with Vertices::points. Throws InputError if
+/// dynamics.topology of the scene is not a mass-spring topology.
 SpringNetwork topology_of(const FrameInput& input);
-
-/// Builds the masses and springs of the scene's topology on `mesh`. Throws InputError if dynamics.topology of
-/// the scene is not a mass-spring topology.
 SpringNetwork topology_of(const Scene& scene, const Mesh& mesh);
 
 /// Returns the local force of the scene's poke on each stick, in newtons. The result is empty if the scene

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/springs/opencl/stages.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
 
 namespace pelage::springs {
 namespace {
@@ -14,11 +14,10 @@ std::string frame_kernel(const Solver& solver) {
   return name + "_frame";
 }
 
-// Returns the number of slices (16 sticks each) from which a work-item takes sticks at the same time. On the
-// topology separable-prisms the number is 3, one slice per corner of a triangle. On the other topologies the
-// number is 1 or 2. An explicit or semi-implicit Euler step of a stick is a short chain of dependent
-// operations. With 16 lanes (CPU), one slice therefore does not keep the vector unit of a core busy, and the
-// work-item computes two slices. The other solvers would need too many registers for two slices.
+// Returns the number of slices from which a work-item takes sticks at the same time: one for each corner of a
+// triangle, otherwise 1 or 2. An explicit or semi-implicit Euler step of a stick is a short chain of
+// dependent operations, so with 16 lanes (CPU) one slice does not keep the vector unit of a core busy. The
+// other solvers would need too many registers for two slices.
 int corners_of(const Layout& layout, Solver solver, int lanes) {
   const bool brief = !solver.implicit && !solver.multistage();
   return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;
@@ -37,16 +36,6 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
   return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
-// A unit is the set of sticks or triangles that a work-item computes at a time (stages.hpp). On a CPU the
-// units are divided among about 8 work-items per core, with at most 64 units per work-item. On a GPU a
-// work-item computes one unit.
-int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
-  if (wanted > 0) return wanted * (16 / lanes);
-  if (lanes == 1) return 1;
-  const int items = 8 * std::max(1, int(device.compute_units));
-  return std::clamp((units + items - 1) / items, 1, 64);
-}
-
 std::string build_options(int lanes, bool turning) {
   return fmt::format("-D LANES={} -D TURNING={}", lanes, int(turning));
 }
@@ -54,7 +43,7 @@ std::string build_options(int lanes, bool turning) {
 BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
                        bool whole, const MassSpringOptions& options)
     : program_(queue.device(), "springs/blocks.cl",
-               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics)),
+               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics.motion)),
                            corners_of(layout, dynamics.solver, lanes), int(layout.corners == 3))),
       frame_(program_, frame_kernel(dynamics.solver)),
       sides_(queue, std::span(layout.sides)),
@@ -62,7 +51,7 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynam
       blocks_(layout.slices / corners_of(layout, dynamics.solver, lanes)),
       units_(blocks_ * (16 / lanes)),
       per_item_(whole ? units_
-                      : units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
+                      : cl::units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
 
 void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
                          std::vector<cl::Event>* launches) {

@@ -1,10 +1,13 @@
-// Simulates a mass-spring topology on an OpenCL device. R is the radius of the mesh's bounding sphere.
+// Simulates a mass-spring topology on an OpenCL device.
 #pragma once
-#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "harness/cl/program.hpp"
 #include "harness/springs/model/dynamics.hpp"
+#include "harness/springs/model/layout.hpp"
 #include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {
@@ -23,8 +26,8 @@ struct MassSpringOptions {
   int lanes = 0;
   std::size_t group = 0;    ///< work-items per work-group; 0: usual_group() of harness/cl
   int blocks_per_item = 0;  ///< slices of 16 sticks or triangles per work-item; 0: device's default
-  /// Whether one work-item computes all steps of a launch for the whole model. On a CPU a single work-item is
-  /// faster for a small model, because waking a second core takes more time than the second core saves.
+  /// Whether one work-item computes all steps of a launch for the whole model: on a CPU this is faster for a
+  /// small model, because waking a second core takes more time than it saves.
   enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
 
@@ -32,29 +35,117 @@ struct MassSpringOptions {
 /// has few sticks. The option Whole::as_suits uses this function.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks);
 
-/// Statistics of the linear systems A x = b that a MassSprings object has solved by conjugate gradients. All
-/// values are 0 if the object has solved no system.
+/// Statistics of the linear systems A x = b that a MassSprings object has solved by conjugate gradients.
 struct LinearSolves {
   long solves = 0, iterations = 0;
   int most_iterations = 0;    ///< largest number of iterations of one solve
   double worst_residual = 0;  ///< largest |r| / |b| after a solve; r is the recursively updated residual
 };
 
+/// Buffers that all solvers share. The float buffers have columns (Layout), except `speed` of the topology
+/// prisms, which has a row of four floats per stick (x, y, z and 0).
+struct Buffers {
+  /// Wind, gravity and the object's motion at each half step, from index params.first_moment on.
+  cl::Buffer<Moment> moments;
+  cl::Buffer<float> sites, push, offset, speed;
+  /// For each place, the number of the first step after which the top had diverged (diverged() in
+  /// kernels/springs/equations.clh).
+  cl::Buffer<std::int32_t> diverged_at;
+  cl::Buffer<std::int32_t> first;  ///< one value: the minimum of all values of diverged_at
+};
+
+/// Returns the build options that define the kernels' macros LANES and TURNING. `turning` is true if the
+/// object rotates.
+std::string build_options(int lanes, bool turning);
+
+/// Computes time steps of all topologies but prisms. One launch computes all substeps of all sticks. If
+/// `whole` is set, the launch has a single work-item.
+class BlockStage {
+ public:
+  BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
+             const MassSpringOptions& options);
+  void enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
+               std::vector<cl::Event>* launches);
+  std::size_t bytes() const { return sides_.size() * sizeof(float); }
+  const cl::Program& program() const { return program_; }
+
+ private:
+  cl::Program program_;
+  cl::Kernel frame_;
+  cl::Buffer<float> sides_;
+  std::size_t group_;
+  int blocks_, units_, per_item_;
+};
+
+/// Computes time steps of the topology prisms. Explicit solvers need one launch per evaluation of the forces,
+/// and conjugate gradients three per iteration. If `whole` is set, one work-item computes all steps of the
+/// whole model in one launch, except a single explicit or semi-implicit Euler step, which has many
+/// work-items.
+class PrismStage {
+ public:
+  PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
+             const MassSpringOptions& options);
+  /// Sets the positions of the tops relative to their bases, stored like Layout::offset. Resets the initial
+  /// guess of conjugate gradients to 0.
+  void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
+  /// Enqueues params.substeps steps. Waits for the queue whenever conjugate gradients test their residual.
+  void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
+               std::vector<cl::Event>* launches);
+  const LinearSolves& solves() const { return solves_; }
+  std::size_t bytes() const;
+  const cl::Program& program() const { return program_; }
+
+ private:
+  void euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
+  void rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
+  void backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
+  bool converged(const cl::Queue& queue);
+  void whole(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);
+  void whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);
+  void launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const;
+
+  std::vector<cl::Event>* launches_ = nullptr;  // of enqueue(); launch() appends its event unless it is null
+
+  Solver solver_;
+  bool whole_;
+  double residual_;
+  int most_iterations_;
+  cl::Program program_;
+  std::vector<cl::Kernel> kernels_;  // in the order of kernels_of() in prism_stage.cpp
+  std::size_t group_;
+  int units_, per_item_, per_chunk_, chunks_;
+  bool double_sums_;
+  int expected_ = 4;  // iterations that run before the first convergence test of a step
+  double last_residual_ = 0;
+  LinearSolves solves_;
+  cl::Buffer<std::int32_t> start_, neighbour_;
+  cl::Buffer<float> rest_;
+  // These buffers have a row of four floats for each place. Explicit solvers read tip_, the positions of the
+  // tops. Backward Euler reads root_, those of the bases, and reach_, those of the tops relative to the
+  // bases.
+  cl::Buffer<float> tip_, other_tip_, other_speed_, root_, reach_;
+  // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
+  cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
+  // Buffers of conjugate gradients for A x = b: the 3 x 3 diagonal blocks of A and their inverses, for each
+  // spring a vector that determines its off-diagonal block, the solution x (change_), the residual r (left_),
+  // the search direction d (way_), and along_, which first holds the product A d and later in the iteration
+  // the preconditioned residual z. change_ and way_ have rows of four floats.
+  cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
+  cl::Memory sums_;
+  cl::Buffer<float> solved_;  // results of gradients_whole
+};
+
 class MassSprings {
  public:
-  /// Creates the system at rest. Throws InputError if check() of dynamics.hpp rejects `dynamics`, or if
-  /// options.lanes is not 0, 1 or 16. Also throws InputError for backward Euler if
-  /// dynamics.full_jacobian is set.
+  /// Creates the system at rest. Throws InputError if check() of dynamics.hpp rejects `dynamics`, if
+  /// options.lanes is not valid, or for backward Euler with dynamics.full_jacobian.
   MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
               const MassSpringOptions& options = {});
-  ~MassSprings();
-  MassSprings(MassSprings&&) noexcept;
-  MassSprings& operator=(MassSprings&&) noexcept;
 
-  /// Sets the state of all top masses. For each stick, `offsets` holds the position of the top mass relative
-  /// to the base in R, and `speeds` holds the velocity of the top mass in R/s. `steps` is the number of steps
-  /// from rest to this state. Clears the record of diverged masses, and sets the initial guess of conjugate
-  /// gradients to 0. Throws InputError if a size is wrong, a value is not finite or `steps` is out of range.
+  /// Sets the state of all tops: their positions relative to their bases in R, and their velocities in R/s.
+  /// `steps` is the number of steps from rest to this state. Clears the record of diverged masses, and sets
+  /// the initial guess of conjugate gradients to 0. Throws InputError if a size is wrong, a value is not
+  /// finite or `steps` is out of range.
   void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
@@ -62,14 +153,13 @@ class MassSprings {
   /// this count. Throws InputError if check() of dynamics.hpp rejects the new time step.
   void retime(float step);
 
-  /// Sets the local forces on the top masses. `force` has one vector per stick, in newtons, in the object's
-  /// frame. An empty vector removes all local forces. Throws InputError if the size is wrong or a force is
-  /// not finite.
+  /// Sets the local forces on the tops, one vector per stick, in newtons, in the object's frame; empty: none.
+  /// Throws InputError if the size is wrong or a force is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
 
-  /// Enqueues `substeps` steps. The call may wait for the upload of wind and motion. The call also waits for
-  /// the queue whenever conjugate gradients test their residual. Appends the event of every launch to
-  /// `launches` unless `launches` is null.
+  /// Enqueues `substeps` steps. The call may wait for the upload of wind and motion, and waits for the queue
+  /// whenever conjugate gradients test their residual. Appends the event of every launch to `launches` unless
+  /// it is null.
   void enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches = nullptr);
 
   /// Waits for the queue. Throws Diverged if a mass diverged in a step enqueued so far.
@@ -78,26 +168,31 @@ class MassSprings {
   /// Calls enqueue() and then check().
   void advance(const cl::Queue& queue, int substeps);
 
-  /// Returns, for each stick, the position of the top mass relative to its base, in R.
-  std::vector<glm::vec3> offsets(const cl::Queue& queue) const;
-  /// Returns, for each stick, the velocity of the top mass in R/s.
-  std::vector<glm::vec3> speeds(const cl::Queue& queue) const;
-  /// offset() returns the device buffer of the top masses' offsets. offset_columns() returns, for each stick,
-  /// the index of the x component in this buffer. The y component is stored 16 floats after x, and the z
-  /// component 32 floats after x.
-  const cl::Buffer<float>& offset() const;
+  std::vector<glm::vec3> offsets(const cl::Queue& queue) const;  ///< tops relative to their bases, R
+  std::vector<glm::vec3> speeds(const cl::Queue& queue) const;   ///< velocities of the tops, R/s
+  /// The device buffer of the offsets, and for each stick the index of x in this buffer. y is stored 16
+  /// floats after x, and z 32 floats after x.
+  const cl::Buffer<float>& offset() const { return buffers_.offset; }
   std::vector<std::int32_t> offset_columns() const;
-  long steps() const;    ///< number of steps done or enqueued
-  float length() const;  ///< length of the fur in R
-  /// Returns the number of bytes of device memory that the system uses, without three buffers. memory() in
-  /// layout.hpp names these buffers and returns the same number.
-  std::size_t bytes() const;
+  long steps() const { return steps_; }            ///< number of steps done or enqueued
+  float length() const { return params_.length; }  ///< length of the fur in R
+  std::size_t bytes() const;  ///< of device memory; the same number as memory() of layout.hpp
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  void know_moments(const cl::Queue& queue, int substeps);
+  std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const;
+
+  Dynamics dynamics_;
+  Layout layout_;
+  TopologyParams params_;
+  Buffers buffers_;
+  std::optional<BlockStage> blocks_;
+  std::optional<PrismStage> prisms_;
+  long steps_ = 0;
+  // The device holds wind, gravity and the object's motion for the steps from known_from_ to known_to_ - 1.
+  long known_from_ = 0, known_to_ = 0;
 };
 
 }  // namespace pelage::springs

@@ -4,15 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "harness/springs/opencl/stages.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
 
 namespace pelage::springs {
 namespace {
 
 enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // indices of the implicit solver's kernels in kernels_
-// Indices of the results that the kernel gradients_whole writes: the total number of iterations, the greatest
-// number of iterations in a step, and the greatest |r| / |b| at the end of a step. SOLVED is the number of
-// results.
+// Results of the kernel gradients_whole: the total number of iterations, the greatest number in a step, and
+// the greatest |r| / |b| at the end of a step.
 enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
@@ -42,8 +41,8 @@ double total(const std::vector<T>& sums, int row, int chunks) {
   return sum;
 }
 
-// Converts vectors that are stored in columns. The result has a row of four floats for each place (a stick or
-// padding): x, y, z and 0. `columns` is the number of columns of `values`, and `first` is the column of x.
+// Converts vectors in columns to rows of four floats: x, y, z and 0. `columns` is the number of columns of
+// `values`, and `first` is the column of x.
 std::vector<float> rows(const std::vector<float>& values, std::size_t columns, std::size_t first) {
   std::vector<float> found(values.size() / columns * 4, 0.0f);
   for (std::size_t place = 0; place < values.size() / columns; ++place)
@@ -51,8 +50,7 @@ std::vector<float> rows(const std::vector<float>& values, std::size_t columns, s
   return found;
 }
 
-// Returns the positions of the top masses, in rows. The positions relative to the bases of the sticks are in
-// the three columns of `offset`.
+// Returns the positions of the tops, in rows. `offset` has those relative to their bases, in columns.
 std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
   std::vector<float> found = rows(layout.sites, SITE_COLUMNS, SITE_ROOT);
   const std::vector<float> above = rows(offset, 3, 0);
@@ -69,11 +67,11 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       residual_(double(dynamics.residual)),
       most_iterations_(dynamics.most_iterations),
       program_(queue.device(), file_of(solver_),
-               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes, turns(dynamics)),
+               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes, turns(dynamics.motion)),
                            int(queue.device().info().fp64))),
       group_(options.group),
       units_(layout.slices * (16 / lanes)),
-      per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
+      per_item_(cl::units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
       per_chunk_(whole ? units_ : ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
       chunks_(ceiling(units_, per_chunk_)),
       double_sums_(queue.device().info().fp64),
@@ -83,14 +81,11 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
   for (const char* name : kernels_of(solver_, whole_)) kernels_.emplace_back(program_, name);
   const std::size_t places = layout.places();
   const auto floats = [&](std::size_t columns) {
-    return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
-  };
-  const auto uploaded = [&](const std::vector<float>& values) {
-    return cl::Buffer<float>(queue, std::span<const float>(values));
+    return cl::uploaded(queue, std::vector<float>(columns * places, 0.0f));
   };
   if (solver_.implicit) {
-    root_ = uploaded(rows(layout.sites, SITE_COLUMNS, SITE_ROOT));
-    reach_ = uploaded(rows(layout.offset, 3, 0));
+    root_ = cl::uploaded(queue, rows(layout.sites, SITE_COLUMNS, SITE_ROOT));
+    reach_ = cl::uploaded(queue, rows(layout.offset, 3, 0));
     diagonal_ = floats(6), inverse_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4),
     along_ = floats(3);
     coupling_ = cl::Buffer<float>(queue.device(), 3 * layout.neighbour.size());
@@ -98,7 +93,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
                        std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
     solved_ = cl::Buffer<float>(queue.device(), SOLVED);
   } else {
-    tip_ = uploaded(tips(layout, layout.offset));
+    tip_ = cl::uploaded(queue, tips(layout, layout.offset));
     other_tip_ = floats(4), other_speed_ = floats(4);
     if (solver_.multistage())
       spare_tip_ = floats(4), spare_speed_ = floats(4), stage_offset_ = floats(3), sum_offset_ = floats(3),
@@ -107,9 +102,9 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
 }
 
 void PrismStage::set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset) {
-  if (!solver_.implicit) return tip_.write(queue, std::span<const float>(tips(layout, offset)));
-  reach_.write(queue, std::span<const float>(rows(offset, 3, 0)));
-  change_.write(queue, std::span<const float>(std::vector<float>(change_.size(), 0.0f)));
+  if (!solver_.implicit) return tip_.write(queue, tips(layout, offset));
+  reach_.write(queue, rows(offset, 3, 0));
+  change_.write(queue, std::vector<float>(change_.size(), 0.0f));
 }
 
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
@@ -122,8 +117,8 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_.implicit ? per_chunk_ : per_item_;
-  // A single Euler step needs only one launch, even with many work-items. For such a step, many work-items
-  // are faster than one work-item, because several cores read in parallel the data that the host has written.
+  // A single Euler step is one launch even with many work-items, which are faster than one, because several
+  // cores read in parallel the data that the host has written.
   const bool one_launch = !solver_.implicit && !solver_.multistage() && params.substeps == 1;
   if (whole_ && !one_launch) {
     whole(queue, params, buffers);
@@ -182,10 +177,8 @@ void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buf
 }
 
 void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
-  // The four stages of RK4 have the numbers 0 to 3. Stages 1 and 3 read the positions (tips) and speeds of
-  // the top masses from other_tip_ and other_speed_. Stage 2 reads them from spare_tip_ and spare_speed_. The
-  // tips and speeds at the start of the step stay in tip_ and b.speed until stage 3 overwrites them with the
-  // result.
+  // The buffers that the stages 0 to 3 read. The tips and speeds at the start of the step stay in tip_ and
+  // b.speed until stage 3 overwrites them with the result.
   cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
   for (int stage = 0; stage < 4; ++stage) {
@@ -232,10 +225,8 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
     kernels_[TURN].with(params, chunks_, odd, along_, way_, change_, sums_);
     launch(queue, kernels_[TURN], chunks_);
   };
-  // A convergence test waits for the queue. Therefore the first expected_ iterations of a step run without a
-  // test. After them, and then after every two further iterations, the function tests the convergence.
-  // expected_ is 4 in the first step. In later steps it is the number of iterations of the previous step
-  // minus two, but at least two.
+  // A convergence test waits for the queue, so the first expected_ iterations of a step run without a test:
+  // two fewer than in the previous step, but at least two. Then every second iteration is tested.
   for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
   while (!converged(queue) && done < most_iterations_)
     for (int i = 0; i < 2; ++i) iterate();

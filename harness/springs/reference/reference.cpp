@@ -59,9 +59,8 @@ Spring spring(const System& system, const State& state, std::size_t number) {
           double(stick ? d.stiffness : d.edge_stiffness), double(stick ? d.damping : d.edge_damping)};
 }
 
-// Returns the sum of weight, wind, drag and inertial forces on one mass, in newtons, in the object's frame.
-// `gust_at` is the position at which the gusts are computed. `r` is the position of the mass, and `v` is the
-// velocity of the mass.
+// Returns the sum of weight, wind, drag and inertial forces on a mass at `r` with the velocity `v`, in
+// newtons, in the object's frame. `gust_at` is the position at which the gusts are computed.
 glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 gust_at, glm::dvec3 r,
                    glm::dvec3 v) {
   const double m = double(d.mass), tau = 2 * std::numbers::pi;
@@ -84,8 +83,7 @@ State moved(const State& from, double h, const Vectors& position_rate, const Vec
   return to;
 }
 
-// Returns the acceleration of every mass: the force on the mass divided by its mass. The masses on the skin
-// are fixed and have no acceleration.
+// Returns the acceleration of every mass. The masses on the skin are fixed.
 Vectors accelerations(const System& system, const State& state, double time) {
   Vectors a = forces(system, state, time);
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -124,9 +122,8 @@ glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
 
-// Derivatives of the force on the top mass of stick `row`. The matrix j is the derivative with respect to the
-// position of the top mass of stick `column`, and d is the derivative with respect to the velocity of this
-// top mass. Several Block values can have the same row and column; their matrices are added.
+// Derivatives of the force on the top of stick `row` with respect to the position (j) and the velocity (d) of
+// the top of stick `column`. The matrices of blocks with the same row and column are added.
 struct Block {
   std::size_t row, column;
   glm::dmat3 j, d;
@@ -137,10 +134,9 @@ glm::dmat3 outer(glm::dvec3 a, glm::dvec3 b) {
   return glm::outerProduct(a, b);
 }
 
-// The derivatives of the force that a spring exerts on the mass at its first end. j is the derivative with
-// respect to the position of the mass at the second end, and d is the derivative with respect to the velocity
-// of this mass. If `full` is false, j contains neither the transverse stiffness of a compressed spring nor
-// the derivative of the damping force.
+// The derivatives of the force that a spring exerts on the mass at its first end, with respect to the
+// position (j) and the velocity (d) of the mass at the second end. If `full` is false, j contains neither the
+// transverse stiffness of a compressed spring nor the derivative of the damping force.
 struct Pull {
   glm::dmat3 j, d;
 };
@@ -198,10 +194,9 @@ std::vector<Block> derivative_blocks(const System& system, const State& y, doubl
 }
 
 // The linear system of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v). M is the matrix of
-// the masses, and h is the time step. v is the velocity before the step, and dv is the change of the
-// velocity. f is the force for the positions and velocities before the step, with the wind and the object's
-// motion at the end of the step. D is the derivative of the force with respect to the velocities, and J is
-// the derivative of the force with respect to the positions. derivative_blocks() computes D and J.
+// the masses, h the time step, v the velocity before the step, and dv its change. f is the force for the
+// positions and velocities before the step, with the wind and the object's motion at its end. J and D are the
+// derivatives of derivative_blocks().
 struct Equations {
   Eigen::SparseMatrix<double> matrix;
   Eigen::VectorXd right;
@@ -300,6 +295,11 @@ State step(const System& system, const State& state, long number) {
   if (solver.implicit) return backward_euler(system, state, t, h);
   if (solver.multistage()) return rk4(system, state, t, h);
   return solver.in_turn ? semi_implicit_euler(system, state, t, h) : explicit_euler(system, state, t, h);
+}
+
+State after(const System& system, State state, long first, long steps) {
+  for (long i = 0; i < steps; ++i) state = step(system, state, first + i);
+  return state;
 }
 
 double residual(const System& system, const State& state, long number, const Vectors& change) {

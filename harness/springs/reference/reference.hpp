@@ -1,11 +1,11 @@
 // The double-precision reference for the mass-spring solvers of Banisch and Wuethrich 2006. It computes each
-// mass and each spring separately, as in the paper, and shares no code with the kernels. The commands
-// `pelage run` and `pelage check` compare the kernels' results with it. R is the radius of the mesh's
-// bounding sphere.
+// mass and each spring separately, as in the paper, and shares no code with the kernels.
 #pragma once
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "harness/prepare/frame_input.hpp"
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
 
@@ -20,32 +20,31 @@ struct State {
 struct System {
   const SpringNetwork& topology;
   const Dynamics& dynamics;
-  /// Local force on each stick's top mass, in newtons, in the object's frame; empty if there are no local
-  /// forces.
-  std::vector<glm::dvec3> push = {};
+  std::vector<glm::dvec3> push = {};  ///< local force on each top, N, in the object's frame; empty: none
 };
 
 /// Returns the rest state: every stick points along its normal, and all velocities are 0.
 State rest(const SpringNetwork& topology);
 
-/// Returns the force on every mass (F in Eq. 1 of the paper), in newtons, at `time` in seconds. The
-/// result includes the forces on the fixed masses.
+/// Returns the force on every mass, also on the fixed ones (F in Eq. 1 of the paper), in newtons, at `time`
+/// in seconds.
 std::vector<glm::dvec3> forces(const System& system, const State& state, double time);
 
 /// Returns the state after one more time step of the solver in `system.dynamics`. `number` is the index
 /// of this step, starting at 0.
 State step(const System& system, const State& state, long number);
 
+/// Returns the state after `steps` time steps that begin with step number `first` in the state `state`.
+State after(const System& system, State state, long first, long steps);
+
 /// Returns the relative residual |b - A x| / |b| of the linear system A x = b of one backward Euler step. The
 /// vector x is `change`, the change of the top masses' velocities (R/s) in this step. `number` is the index
 /// of this step, starting at 0.
 double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
 
-/// The derivatives of the forces on the top masses: J with respect to the positions of the top masses (in
-/// N/R), and D with respect to their velocities (in N s/R). J and D are square matrices with `size` rows,
-/// three rows per stick. by_position and by_velocity store J and D row by row. Row 3 i + c belongs to
-/// component c of the force on the top mass of stick i. Column 3 i + c belongs to component c of the position
-/// (J) or the velocity (D) of the top mass of stick i.
+/// The derivatives of the forces on the tops with respect to their positions (in N/R) and to their velocities
+/// (in N s/R), as square matrices with `size` rows, stored row by row. Row and column 3 i + c belong to
+/// component c of the top of stick i.
 struct Derivatives {
   std::size_t size = 0;
   std::vector<double> by_position, by_velocity;
@@ -55,16 +54,29 @@ struct Derivatives {
 /// use this function only for small systems.
 Derivatives derivatives(const System& system, const State& state, double time);
 
-/// Returns the kinetic energy plus the potential energy of the springs, in joules. The potential energy of
-/// gravity is not included. The return force (Eq. 5 of the paper) is not included, because it has no
-/// potential energy (its derivative is not symmetric).
+/// Returns the kinetic energy plus the potential energy of the springs, in joules, without that of gravity.
+/// The return force (Eq. 5 of the paper) has no potential energy (its derivative is not symmetric).
 double energy(const System& system, const State& state);
 
 /// Returns energy() plus the potential energy of gravity, in joules. This sum is constant in a conservative
 /// system, that is, on an object at rest without wind, drag, damping and return force.
 double total_energy(const System& system, const State& state);
 
-/// Returns the position of each top mass relative to its base, in R. In the kernels, this vector is called q.
+/// Returns the position of each top relative to its base, in R (q in the kernels).
 std::vector<glm::dvec3> offsets(const SpringNetwork& topology, const State& state);
 
 }  // namespace pelage::springs::reference
+
+namespace pelage::springs {
+
+/// State of a selection of sticks after some frames that start from rest.
+struct SomeSticks {
+  std::vector<std::uint32_t> stick;  ///< indices of the sticks, ascending
+  std::vector<glm::dvec3> offset;    ///< per stick: position of the top mass relative to the base, in R
+  std::vector<glm::dvec3> velocity;  ///< per stick: velocity of the top mass in R/s, in the object's frame
+};
+/// Computes the state of about `count` sticks with evenly spaced indices, or of all sticks of the topology
+/// prisms, in which each stick depends on all others.
+SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count);
+
+}  // namespace pelage::springs

@@ -1,4 +1,3 @@
-#include "harness/springs/reference/some_sticks.hpp"
 
 #include <fmt/format.h>
 
@@ -71,10 +70,7 @@ reference::State moved_sticks(const SpringNetwork& topology, const DynamicsScene
         scene.tolerance));
   const Dynamics dynamics = dynamics_of(scene, topology);
   const reference::System system{topology, dynamics, std::move(push)};
-  reference::State state = reference::rest(topology);
-  const long steps = long(frames) * scene.substeps;
-  for (long i = 0; i < steps; ++i) state = reference::step(system, state, i);
-  return state;
+  return reference::after(system, reference::rest(topology), 0, long(frames) * scene.substeps);
 }
 
 }  // namespace

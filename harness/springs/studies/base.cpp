@@ -1,10 +1,43 @@
 #include "harness/springs/studies/base.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "harness/error.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/springs/model/scene.hpp"
+
 namespace pelage::springs {
+
+Scene scene_with_springs(const SubjectContext& context, const Case& which) {
+  Scene scene = scene_of(context.experiment, which);
+  if (!has_springs(scene.dynamics))
+    throw InputError(
+        fmt::format("{}: dynamics.topology is {}; this experiment needs sticks, prisms, separable-sticks or "
+                    "separable-prisms",
+                    which.name, scene.dynamics.topology));
+  return scene;
+}
+
+Setting setting_of(SubjectContext& context, const Scene& scene) {
+  SpringNetwork topology = topology_of(scene, *context.mesh_of(scene));
+  const Dynamics dynamics = dynamics_of(scene.dynamics, topology);
+  return {std::move(topology), dynamics, {}, 0};
+}
+
+const Motions& exact_of(SubjectContext& context, const Scene& scene, const Setting& setting) {
+  // The exact solution does not depend on step, substeps, tolerance and solver.
+  Scene any = scene;
+  any.dynamics.step = 1;
+  any.dynamics.substeps = 1;
+  any.dynamics.tolerance = 0;
+  any.dynamics.solver = highest_order.name;
+  std::any& exact = context.shared["exact second of " + scene_hash(any)];
+  if (!exact.has_value()) exact = exact_second(setting.topology, setting.dynamics, 1e-4f);
+  return std::any_cast<const Motions&>(exact);
+}
 
 Motions rest_motions(const SpringNetwork& topology) {
   Motions state;
@@ -20,6 +53,13 @@ reference::State reference_state(const SpringNetwork& topology, const Motions& m
     state.velocity[topology.top(i)] = glm::dvec3(motions.speed[i]);
   }
   return state;
+}
+
+std::vector<glm::vec3> reference_offsets(const SpringNetwork& topology, const Dynamics& dynamics,
+                                         const Motions& start, long first, long steps) {
+  const std::vector<glm::dvec3> offsets = reference::offsets(
+      topology, reference::after({topology, dynamics}, reference_state(topology, start), first, steps));
+  return {offsets.begin(), offsets.end()};
 }
 
 void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynamics, double seconds,
@@ -51,10 +91,11 @@ void Study::describe(Row& row) {
   row.identity.insert(programs_.begin(), programs_.end());
 }
 
-double Study::second(MassSprings& masses) const {
-  const auto from = std::chrono::steady_clock::now();
-  simulate(queue_, masses, setting_.dynamics, 1);
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count();
+Cost Study::from_rest(MassSprings& masses, double seconds) const {
+  const Motions start = rest_motions(setting_.topology);
+  masses.set(queue_, start.offset, start.speed);
+  queue_.finish();
+  return cost_of([&] { simulate(queue_, masses, setting_.dynamics, seconds); });
 }
 
 }  // namespace pelage::springs

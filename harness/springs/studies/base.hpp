@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/program_hashes.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
@@ -11,11 +12,26 @@
 
 namespace pelage::springs {
 
+/// Returns the scene of the case `which`. Throws InputError if its topology is not a mass-spring topology.
+Scene scene_with_springs(const SubjectContext& context, const Case& which);
+
+/// Returns the scene's mass-spring system without an initial state.
+Setting setting_of(SubjectContext& context, const Scene& scene);
+
+/// Returns the state of the scene after one second, computed with very short time steps. The result is stored
+/// and used again by other cases of the same scene.
+const Motions& exact_of(SubjectContext& context, const Scene& scene, const Setting& setting);
+
 /// Returns the state at rest: every stick points along its normal, and all velocities are 0.
 Motions rest_motions(const SpringNetwork& topology);
 
 /// Converts the positions and velocities of the top masses to a state of the double-precision reference.
 reference::State reference_state(const SpringNetwork& topology, const Motions& motions);
+
+/// Returns the positions of the top masses after `steps` time steps of the reference, from the state `start`
+/// after `first` time steps.
+std::vector<glm::vec3> reference_offsets(const SpringNetwork& topology, const Dynamics& dynamics,
+                                         const Motions& start, long first, long steps);
 
 /// Simulates `seconds` of motion. Each call of masses.enqueue() simulates about `look` seconds, but at least
 /// one time step. After each of these calls, calls `after` with the time simulated so far, in seconds. The
@@ -34,8 +50,8 @@ class Study : public Subject {
   void describe(Row& row) override;
 
  protected:
-  /// Simulates one second of motion and returns the wall time of the computation in ms.
-  double second(MassSprings& masses) const;
+  /// Simulates `seconds` of motion from rest and returns the times of the computation.
+  Cost from_rest(MassSprings& masses, double seconds = 1) const;
 
   cl::Queue queue_;
   Setting setting_;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -26,17 +25,16 @@ class EnergyStudy : public Study {
     add_programs(programs_, {&masses.program()});
     energy_.clear();
     if (conservative_) energy_[0] = energy(masses);
-    const auto from = std::chrono::steady_clock::now();
     double next = 0;
-    simulate(queue_, masses, setting_.dynamics, energy_seconds, 1.0 / 60, [&](double time) {
+    const auto look = [&](double time) {
       if (time + 1e-9 < next) return true;
       bounded(queue_, masses);
       energy_[time] = energy(masses);
       next = time + look_seconds;
       return true;
-    });
-    return {.wall_ms =
-                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count()};
+    };
+    const auto run = [&] { simulate(queue_, masses, setting_.dynamics, energy_seconds, 1.0 / 60, look); };
+    return {.wall_ms = cost_of(run).wall_ms};
   }
   std::vector<Check> check(const Picture&) override {
     return {{"four seconds", "times", double(energy_.size()), 40, true}};
@@ -95,6 +93,12 @@ class EnergyStudy : public Study {
 
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative) {
   return std::make_unique<EnergyStudy>(device, std::move(setting), conservative);
+}
+std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case& which) {
+  return solver_energy(context.device, setting_of(context, scene_with_springs(context, which)), false);
+}
+std::unique_ptr<Subject> make_solver_drift(SubjectContext& context, const Case& which) {
+  return solver_energy(context.device, setting_of(context, scene_with_springs(context, which)), true);
 }
 
 }  // namespace pelage::springs

@@ -1,46 +1,163 @@
-// Measures the error of a solver: the distance of the top masses from the exact state after one second.
+// Measures the errors of the solvers: the distances of the top masses from the exact state after one second
+// from rest. Also compares the times of the solvers at equal error: each solver takes the longest time step
+// with which its error stays below a limit, and the solvers simulate the same second in turns.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
+#include "harness/error.hpp"
+#include "harness/measure/turns.hpp"
 #include "harness/springs/baselines/arrays.hpp"
 #include "harness/springs/studies/base.hpp"
 
 namespace pelage::springs {
 namespace {
 
+constexpr int frames_per_second = 60, most_steps = 1024;  // most_steps: greatest number of steps per frame
+
+/// The exact solution, and the greatest rms error with which a row is ok.
+struct ErrorLimit {
+  std::shared_ptr<const Motions> exact;
+  double rms;
+};
+
+/// One second with one solver.
 class ErrorStudy : public Study {
  public:
-  ErrorStudy(const cl::Device& device, Setting setting, const Motions& exact)
+  ErrorStudy(const cl::Device& device, Setting setting, ErrorLimit limit)
       : Study(device, std::move(setting)),
-        exact_(exact),
+        limit_(std::move(limit)),
         masses_(queue_, setting_.topology, setting_.dynamics) {
     add_programs(programs_, {&masses_.program()});
   }
   FrameSample frame() override {
-    const Motions start = rest_motions(setting_.topology);
-    masses_.set(queue_, start.offset, start.speed);
     FrameSample sample;
-    sample.wall_ms = second(masses_);
+    sample.wall_ms = from_rest(masses_).wall_ms;
     return sample;
   }
   std::vector<Check> check(const Picture&) override {
     bounded(queue_, masses_);
-    error_ = spread(masses_.offsets(queue_), exact_.offset, double(setting_.topology.length));
-    return {{"exact", "rms", error_.rms, tolerance::lost_run, false}};
+    return {{"exact", "rms", error().rms, limit_.rms, false}};
   }
   void describe(Row& row) override {
     Study::describe(row);
-    row.metrics["error_rms"] = {error_.rms, "of the length"};
-    row.metrics["error_p99"] = {error_.percentile_99, "of the length"};
-    row.metrics["error_worst"] = {error_.worst, "of the length"};
+    const Spread found = error();
+    row.metrics["error_rms"] = {found.rms, "of the length"};
+    row.metrics["error_p99"] = {found.percentile_99, "of the length"};
+    row.metrics["error_worst"] = {found.worst, "of the length"};
+  }
+
+ protected:
+  Spread error() const {
+    return spread(masses_.offsets(queue_), limit_.exact->offset, double(setting_.topology.length));
+  }
+
+  ErrorLimit limit_;
+  MassSprings masses_;
+};
+
+/// One second with one of several solvers that take turns.
+class SecondOfSolver : public ErrorStudy {
+ public:
+  SecondOfSolver(const cl::Device& device, Setting setting, const Solver& solver, int steps, ErrorLimit limit)
+      : ErrorStudy(device, with(std::move(setting), solver, steps), std::move(limit)),
+        name_(solver.name),
+        steps_(steps) {}
+
+  FrameSample frame() override {
+    const Cost cost = from_rest(masses_);
+    FrameSample sample;
+    sample.wall_ms = sample.phase_wall_ms[name_] = cost.wall_ms;
+    sample.cpu_ms = sample.phase_cpu_ms[name_] = cost.cpu_ms;
+    return sample;
+  }
+  std::vector<Check> check(const Picture& none) override {
+    std::vector<Check> checks = ErrorStudy::check(none);
+    checks.front().metric = name_ + " rms";
+    return checks;
+  }
+  void describe(Row& row) override {
+    Study::describe(row);
+    // The metric of the base class is removed, because each solver has its own time step.
+    row.metrics.erase("step_ms");
+    const Spread found = error();
+    row.metrics[name_ + "_steps_per_frame"] = {double(steps_), "steps"};
+    row.metrics[name_ + "_step_ms"] = {1e3 * double(setting_.dynamics.step), "ms"};
+    row.metrics[name_ + "_error_rms"] = {found.rms, "of the length"};
+    row.metrics[name_ + "_error_p99"] = {found.percentile_99, "of the length"};
+  }
+
+  /// Simulates the second once and returns the rms error, or infinity if the simulation diverges.
+  double tried() {
+    frame();
+    try {
+      masses_.check(queue_);
+    } catch (const Diverged&) {
+      return std::numeric_limits<double>::infinity();
+    }
+    return error().rms;
   }
 
  private:
-  Motions exact_;
-  MassSprings masses_;
-  Spread error_;
+  static Setting with(Setting setting, const Solver& solver, int steps) {
+    setting.dynamics.solver = solver;
+    setting.dynamics.step = 1.0f / float(frames_per_second * steps);
+    return setting;
+  }
+
+  std::string name_;
+  int steps_;  // per frame
+};
+
+/// The solvers that take turns, and the rms errors of those whose error exceeds the limit even with
+/// most_steps steps per frame.
+struct Entrants {
+  std::vector<Turn> reached;
+  std::map<std::string, double> unreached_rms;
+};
+
+/// Finds the smallest number of steps per frame with which the solver's error is within the limit, and adds
+/// the solver.
+void enter(Entrants& entrants, const cl::Device& device, const Setting& setting, const Solver& solver,
+           const ErrorLimit& limit) {
+  const auto with = [&](int steps) {
+    return std::make_unique<SecondOfSolver>(device, setting, solver, steps, limit);
+  };
+  const std::string name(solver.name);
+  int enough = 1;
+  double rms = with(enough)->tried();
+  while (rms > limit.rms && enough < most_steps) rms = with(enough *= 2)->tried();
+  if (rms > limit.rms) {
+    entrants.unreached_rms[name] = rms;
+    return;
+  }
+  for (int few = enough / 2; enough - few > 1;) {
+    const int middle = (few + enough) / 2;
+    (with(middle)->tried() > limit.rms ? few : enough) = middle;
+  }
+  entrants.reached.push_back({name, with(enough)});
+}
+
+/// The solvers in turns. The row also names the solvers that missed the limit.
+class EqualError : public Turns {
+ public:
+  EqualError(std::unique_ptr<Subject> first, std::vector<Turn> others, TurnRules rules,
+             std::map<std::string, double> unreached_rms)
+      : Turns(std::move(first), std::move(others), std::move(rules)),
+        unreached_rms_(std::move(unreached_rms)) {}
+  void describe(Row& row) override {
+    Turns::describe(row);
+    for (const auto& [name, rms] : unreached_rms_)
+      row.metrics[name + "_unreached_rms"] = {rms, "of the length"};
+  }
+
+ private:
+  std::map<std::string, double> unreached_rms_;
 };
 
 }  // namespace
@@ -60,7 +177,44 @@ Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, fl
 }
 
 std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting, const Motions& exact) {
-  return std::make_unique<ErrorStudy>(device, std::move(setting), exact);
+  const ErrorLimit limit{std::make_shared<Motions>(exact), tolerance::lost_run};
+  return std::make_unique<ErrorStudy>(device, std::move(setting), limit);
+}
+
+std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting, const Motions& exact,
+                                      double most_error) {
+  if (!(most_error > 0))
+    throw InputError(
+        "dynamics.tolerance = 0: the pipeline springs-turns needs the largest permitted rms error, as a "
+        "fraction of fur.length; give a tolerance above 0");
+  const ErrorLimit limit{std::make_shared<Motions>(exact), most_error};
+  Entrants entrants;
+  enter(entrants, device, setting, default_solver, limit);  // the other times are divided by its time
+  for (const Solver& solver : solvers)
+    if (solver != default_solver) enter(entrants, device, setting, solver, limit);
+  if (entrants.reached.empty())
+    throw OutOfBounds(fmt::format("no solver has an rms error of at most {} with {} steps per frame",
+                                  most_error, most_steps));
+  std::unique_ptr<Subject> first = std::move(entrants.reached.front().subject);
+  entrants.reached.erase(entrants.reached.begin());
+  TurnRules rules;
+  rules.check = [](const Turn& other, const Picture& none) { return other.subject->check(none); };
+  rules.describe = [](const Turn& other, Row& row) { other.subject->describe(row); };
+  rules.rotate = true;
+  return std::make_unique<EqualError>(std::move(first), std::move(entrants.reached), std::move(rules),
+                                      std::move(entrants.unreached_rms));
+}
+
+std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which) {
+  const Scene scene = scene_with_springs(context, which);
+  const Setting setting = setting_of(context, scene);
+  return solver_error(context.device, setting, exact_of(context, scene, setting));
+}
+std::unique_ptr<Subject> make_solver_turns(SubjectContext& context, const Case& which) {
+  const Scene scene = scene_with_springs(context, which);
+  const Setting setting = setting_of(context, scene);
+  return solver_turns(context.device, setting, exact_of(context, scene, setting),
+                      double(scene.dynamics.tolerance));
 }
 
 }  // namespace pelage::springs

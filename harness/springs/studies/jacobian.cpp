@@ -6,7 +6,6 @@
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/measure/cpu_use.hpp"
 #include "harness/springs/studies/base.hpp"
 
 namespace pelage::springs {
@@ -43,13 +42,9 @@ class JacobianStudy : public Study {
     dynamics.solver =
         *std::find_if(solvers.begin(), solvers.end(), [](const Solver& s) { return s.implicit; });
     dynamics.full_jacobian = full;
-    const reference::System system{topology, dynamics};
-    reference::State state = reference::rest(topology);
     const long steps = std::lround(1 / double(dynamics.step));
-    for (long i = 0; i < steps; ++i) state = reference::step(system, state, i);
-    std::vector<glm::vec3> offset;
-    for (const glm::dvec3& q : reference::offsets(topology, state)) offset.emplace_back(q);
-    return spread(offset, exact_.offset, double(topology.length));
+    return spread(reference_offsets(topology, dynamics, rest_motions(topology), 0, steps), exact_.offset,
+                  double(topology.length));
   }
   Motions exact_;
   Spread pruned_, full_;
@@ -59,6 +54,11 @@ class JacobianStudy : public Study {
 
 std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact) {
   return std::make_unique<JacobianStudy>(device, std::move(setting), exact);
+}
+std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Case& which) {
+  const Scene scene = scene_with_springs(context, which);
+  const Setting setting = setting_of(context, scene);
+  return solver_jacobian(context.device, setting, exact_of(context, scene, setting));
 }
 
 }  // namespace pelage::springs

@@ -1,5 +1,3 @@
-#include "harness/springs/studies/limit.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -89,7 +87,7 @@ class LimitStudy : public Study {
     setting_.dynamics.step = float(found_.step);
     MassSprings masses(queue_, setting_.topology, setting_.dynamics);
     add_programs(programs_, {&masses.program()});
-    taken_ = second(masses);
+    taken_ = from_rest(masses).wall_ms;
     return {.wall_ms = taken_};
   }
   std::vector<Check> check(const Picture&) override {
@@ -111,8 +109,9 @@ class LimitStudy : public Study {
 
 }  // namespace
 
-std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting) {
-  return std::make_unique<LimitStudy>(device, std::move(setting));
+std::unique_ptr<Subject> make_solver_limit(SubjectContext& context, const Case& which) {
+  return std::make_unique<LimitStudy>(context.device,
+                                      setting_of(context, scene_with_springs(context, which)));
 }
 
 }  // namespace pelage::springs

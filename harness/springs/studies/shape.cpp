@@ -1,9 +1,6 @@
-#include "harness/springs/studies/shape.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -63,26 +60,15 @@ class ShapeStudy : public Study {
     if (!(seconds_ > 0))
       throw InputError(
           "dynamics.time = 0: the pipeline springs-shape measures the fur after dynamics.time seconds; give "
-          "a "
-          "time above 0");
+          "a time above 0");
     add_programs(programs_, {&masses_.program()});
   }
-  FrameSample frame() override {
-    const Motions start = rest_motions(setting_.topology);
-    masses_.set(queue_, start.offset, start.speed);
-    const auto from = std::chrono::steady_clock::now();
-    simulate(queue_, masses_, setting_.dynamics, seconds_);
-    return {.wall_ms =
-                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count()};
-  }
+  FrameSample frame() override { return {.wall_ms = from_rest(masses_, seconds_).wall_ms}; }
   std::vector<Check> check(const Picture&) override {
     bounded(queue_, masses_);
     const SpringNetwork& topology = setting_.topology;
-    const reference::System system{topology, setting_.dynamics};
-    reference::State state = reference::rest(topology);
-    for (long i = 0; i < masses_.steps(); ++i) state = reference::step(system, state, i);
-    std::vector<glm::vec3> expected;
-    for (const glm::dvec3& q : reference::offsets(topology, state)) expected.emplace_back(q);
+    const std::vector<glm::vec3> expected =
+        reference_offsets(topology, setting_.dynamics, rest_motions(topology), 0, masses_.steps());
     return agreement_checks(topology.kind, against_reference,
                             spread(masses_.offsets(queue_), expected, double(topology.length)));
   }
@@ -106,8 +92,10 @@ class ShapeStudy : public Study {
 
 }  // namespace
 
-std::unique_ptr<Subject> solver_shape(const cl::Device& device, Setting setting, double seconds) {
-  return std::make_unique<ShapeStudy>(device, std::move(setting), seconds);
+std::unique_ptr<Subject> make_solver_shape(SubjectContext& context, const Case& which) {
+  const Scene scene = scene_with_springs(context, which);
+  return std::make_unique<ShapeStudy>(context.device, setting_of(context, scene),
+                                      double(scene.dynamics.time));
 }
 
 }  // namespace pelage::springs

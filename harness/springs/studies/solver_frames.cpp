@@ -7,12 +7,10 @@
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/measure/turns.hpp"
-#include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/base.hpp"
-#include "harness/springs/studies/shape.hpp"
+#include "harness/springs/studies/study.hpp"
 
 namespace pelage::springs {
 namespace {
@@ -22,18 +20,18 @@ namespace {
 constexpr std::size_t most_factored = 20000;
 
 /// The steps of one frame on the device. Each frame() also measures the launch of an empty kernel.
-class SolverFrames : public Subject {
+class SolverFrames : public Study {
  public:
   /// `alone`: no baseline solves the same system.
   SolverFrames(const cl::Device& device, Setting setting, int substeps, bool alone)
-      : queue_(device),
-        setting_(std::move(setting)),
+      : Study(device, std::move(setting)),
         substeps_(substeps),
         alone_(alone),
         masses_(queue_, setting_.topology, setting_.dynamics),
         measure_(device, "measure/measure.cl", "-D LANES=1"),
         nothing_(measure_, "nothing_of_seven") {
     for (cl::Buffer<float>& one : nowhere_) one = cl::Buffer<float>(device, 1);
+    add_programs(programs_, {&masses_.program()});
   }
 
   FrameSample frame() override {
@@ -55,12 +53,11 @@ class SolverFrames : public Subject {
     return sample;
   }
 
-  Picture read() override { return {}; }
-
   std::vector<Check> check(const Picture&) override {
     bounded(queue_, masses_);
     if (!setting_.dynamics.solver.implicit || setting_.topology.sticks() <= most_factored)
-      return agreement(against_reference, reference_offsets());
+      return agreement(against_reference, reference_offsets(setting_.topology, setting_.dynamics,
+                                                            setting_.start, setting_.steps, substeps_));
     return alone_ && substeps_ == 1 ? step_checks(masses_.offsets(queue_)) : std::vector<Check>{};
   }
 
@@ -71,31 +68,24 @@ class SolverFrames : public Subject {
   }
 
   void describe(Row& row) override {
-    const SpringNetwork& topology = setting_.topology;
+    Study::describe(row);
     row.build_ms = masses_.program().build_ms();
-    add_programs(row.identity, {&masses_.program()});
     row.provenance["kernel_hash"] = cl::hash_of({&masses_.program()});
-    row.metrics["triangles"] = {double(topology.corner.size()), "triangles"};
-    row.metrics["sticks"] = {double(topology.sticks()), "sticks"};
-    row.metrics["stick_area"] = {topology.stick_area, "R^2"};
-    row.metrics["springs"] = {double(topology.spring.size()), "springs"};
+    row.metrics["springs"] = {double(setting_.topology.spring.size()), "springs"};
     row.metrics["device_bytes"] = {double(masses_.bytes()), "bytes"};
     row.metrics["substeps"] = {double(substeps_), "steps"};
-    row.metrics["step_ms"] = {1e3 * double(setting_.dynamics.step), "ms"};
     row.metrics["enqueue_ms"] = {median(enqueue_), "ms"};
     row.metrics["processor_ms"] = {median(row.samples["frame"].cpu_ms), "ms"};
     if (masses_.solves().solves > 0)
       row.metrics["iterations"] = {double(masses_.solves().iterations) / double(masses_.solves().solves),
                                    "iterations"};
-    describe_gap(shape_of(topology, masses_.offsets(queue_)), row);
+    describe_gap(shape_of(setting_.topology, masses_.offsets(queue_)), row);
   }
 
   /// Returns the times of the launches of an empty kernel in the last `count` rounds, in ms.
   std::span<const double> launches(std::size_t count) const { return std::span(enqueue_).last(count); }
 
  private:
-  reference::State start() const { return reference_state(setting_.topology, setting_.start); }
-
   // Checks one step of backward Euler. This check is used for models that are too large for the reference's
   // factorization. Let A x = b be the reference's linear equations for the change x of the velocities. The
   // check inserts the device's change of the velocities as x and computes the relative residual |b - A x| /
@@ -110,24 +100,13 @@ class SolverFrames : public Subject {
       moved.push_back(before.offset[i] + setting_.dynamics.step * speeds[i]);
     }
     const double left =
-        reference::residual({setting_.topology, setting_.dynamics}, start(), setting_.steps, change);
+        reference::residual({setting_.topology, setting_.dynamics},
+                            reference_state(setting_.topology, before), setting_.steps, change);
     return {{against_reference, "residual", left, tolerance::step_residual, false},
             {"own speeds", "worst", spread(offsets, moved, double(setting_.topology.length)).worst,
              tolerance::stick_top, false}};
   }
 
-  std::vector<glm::vec3> reference_offsets() const {
-    const SpringNetwork& topology = setting_.topology;
-    reference::State state = start();
-    const reference::System system{topology, setting_.dynamics};
-    for (int i = 0; i < substeps_; ++i) state = reference::step(system, state, setting_.steps + i);
-    std::vector<glm::vec3> offsets;
-    for (const glm::dvec3& q : reference::offsets(topology, state)) offsets.emplace_back(q);
-    return offsets;
-  }
-
-  cl::Queue queue_;
-  Setting setting_;
   int substeps_;
   bool alone_;
   MassSprings masses_;
@@ -192,8 +171,8 @@ void compare_times(Row& row, const std::string& name, const SolverFrames& ours, 
   if (theirs.threads() == 1) row.metrics[name + "_processor_ratio"] = {cpu / shared, "times"};
 }
 
-}  // namespace
-
+/// Makes a subject that times the steps of one frame on the device and, if `baselines` is set, in turns with
+/// every baseline solver. All start from `setting.start`.
 std::unique_ptr<Subject> solver_frames(const cl::Device& device, Setting setting, int substeps,
                                        bool baselines) {
   std::vector<Turn> others;
@@ -215,6 +194,29 @@ std::unique_ptr<Subject> solver_frames(const cl::Device& device, Setting setting
     other.subject->describe(row);
   };
   return std::make_unique<Turns>(std::move(ours), std::move(others), std::move(rules));
+}
+
+std::unique_ptr<Subject> solver_after_start(SubjectContext& context, const Case& which, bool baselines) {
+  const Scene scene = scene_with_springs(context, which);
+  Setting setting = setting_of(context, scene);
+  setting.start = rest_motions(setting.topology);
+  if (scene.dynamics.time > 0) {
+    const cl::Queue queue(context.device);
+    MassSprings before(queue, setting.topology, setting.dynamics);
+    simulate(queue, before, setting.dynamics, double(scene.dynamics.time));
+    setting.start = {before.offsets(queue), before.speeds(queue)};
+    setting.steps = before.steps();
+  }
+  return solver_frames(context.device, std::move(setting), scene.dynamics.substeps, baselines);
+}
+
+}  // namespace
+
+std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which) {
+  return solver_after_start(context, which, false);
+}
+std::unique_ptr<Subject> make_solver_against_baselines(SubjectContext& context, const Case& which) {
+  return solver_after_start(context, which, true);
 }
 
 }  // namespace pelage::springs

@@ -1,15 +1,11 @@
 // Subjects (timed objects) of experiments on the mass-spring solvers. They draw no picture. Some of them
 // compare the results with the baselines, others with a simulation that has very short time steps.
 #pragma once
-#include <functional>
-#include <map>
 #include <memory>
-#include <vector>
 
-#include "harness/cl/device.hpp"
+#include "harness/cl/buffer.hpp"
 #include "harness/measure/subject.hpp"
 #include "harness/springs/baselines/baselines.hpp"
-#include "harness/springs/opencl/mass_springs.hpp"
 
 namespace pelage::springs {
 
@@ -36,46 +32,57 @@ std::unique_ptr<Subject> make_solver_shape(SubjectContext& context, const Case& 
 std::unique_ptr<Subject> make_solver_turns(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Case& which);
 
-/// Makes a subject that times the steps of one frame on the device and, if `baselines` is set, in turns with
-/// every baseline solver. All start from `setting.start`.
-std::unique_ptr<Subject> solver_frames(const cl::Device& device, Setting setting, int substeps,
-                                       bool baselines);
-
-/// Makes a subject that times one simulated second from rest. Its error metrics are the distances of the top
-/// masses from `exact`, the exact state after this second.
-std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting, const Motions& exact);
-
 /// Returns the state after one second from rest, computed in double precision by RK4 with steps of `step`
 /// seconds.
 Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step);
 
-/// Makes a subject that finds the longest stable time step with longest_step() of limit.hpp. The metric
-/// "longest_step_ms" is this time step. The metric "longest_stick" is the greatest length of a stick in a
-/// simulation with this time step, in rest lengths.
-std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting);
-
-/// Makes a subject that simulates four seconds from rest and reports energies at several times. If
-/// `conservative` is false, the metrics "energy_uJ_at_<seconds>" are the kinetic energy of the masses plus
-/// the potential energy of the springs. If `conservative` is true, the metrics "total_energy_uJ_at_<seconds>"
-/// also include the potential energy of gravity. The metric "drift" is then the change of this total energy
-/// over the four seconds, divided by the energy that all masses would release if they fell by the fur's
-/// length. If `conservative` is true and the dynamics have drag, damping, a return force, or an object that
-/// rotates or shakes, the function throws InputError.
-std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative);
-
-/// Makes a subject that simulates `seconds` from rest. It reports the angles of the sticks to the surface
-/// normals, and the gaps between the sticks at one surface point (shape.hpp).
-std::unique_ptr<Subject> solver_shape(const cl::Device& device, Setting setting, double seconds);
-
-/// Makes a subject that runs all solvers alternately; each solver simulates one second from rest. Each solver
-/// takes the smallest number of steps per frame (1/60 s) with which its rms error is at most `most_error` fur
-/// lengths. The metrics include the time step and the errors of each solver, for instance "rk4_error_p99".
+/// These functions make the subjects of make_solver_error(), make_solver_turns(), make_solver_jacobian(), and
+/// of make_solver_energy() and make_solver_drift() (`conservative`). `exact` is the exact state after one
+/// second from rest. `most_error` is the largest rms error in fur lengths. solver_turns() throws InputError
+/// unless it is above 0. solver_energy() throws InputError if `conservative` is true and the dynamics have
+/// drag, damping, a return force, or an object that rotates or shakes.
+std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting, const Motions& exact);
 std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting, const Motions& exact,
                                       double most_error);
-
-/// Makes a subject that simulates one second from rest twice. Both simulations use backward Euler in double
-/// precision, the first with the pruned Jacobian and the second with the full Jacobian. The metrics are the
-/// errors of the two simulations.
 std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact);
+std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative);
+
+/// A time step is too long if a stick reaches this many rest lengths after any step.
+inline constexpr float most_stick = 2;
+/// Duration, in seconds, of the simulation that tests a time step. The simulation starts at rest. In a stable
+/// simulation, no stick reaches `most_stick` rest lengths.
+inline constexpr double limit_seconds = 2;
+
+struct Limit {
+  /// Longest stable time step in seconds, with a relative error of at most 2%. Steps above 1 s are not tried.
+  /// The value is 0 if even a step of about 15 us is too long.
+  double step = 0;
+  double longest = 0;  ///< greatest length of a stick in the simulation with `step`, in rest lengths
+  int tried = 0;       ///< number of time steps that were tried
+};
+
+/// Finds the longest stable time step by bisection. After every step, the kernels compare the length of every
+/// stick with `most_stick`. The host reads the outcome about every `look` seconds of simulated time, which
+/// only determines how soon an unstable simulation ends.
+Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
+                   double look = 1.0 / 60);
+
+struct Shape {
+  /// Median, smallest and largest angle between a stick and the surface normal at its base, in degrees.
+  double lean_median = 0, lean_least = 0, lean_most = 0;
+  /// Smallest height of a top mass above the tangent plane of the surface at the stick's base, in fur
+  /// lengths. The value is negative if the mass has moved through the surface.
+  double height_least = 0;
+  /// Median and largest gap, in fur lengths. The gap at a surface point is the largest distance between the
+  /// tops of two sticks at this point. Both are 0 if no point has several sticks.
+  double gap_median = 0, gap_most = 0;
+  std::size_t gap_points = 0;  ///< number of surface points with several sticks
+};
+
+/// Computes the shape. For each stick, `offset` holds the position of the top relative to the base, in R.
+Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offset);
+
+/// Adds the metrics `gap_median` and `gap_most` to the row, if any surface point has several sticks.
+void describe_gap(const Shape& shape, Row& row);
 
 }  // namespace pelage::springs

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "harness/error.hpp"
 
@@ -30,14 +29,6 @@ std::vector<glm::dvec3> normals_of(const Skin& skin, const std::vector<glm::vec3
   for (std::size_t i = 0; i < normals.size(); ++i)
     normals[i] = glm::length(normals[i]) > 0 ? glm::normalize(normals[i]) : skin.normal[i];
   return normals;
-}
-
-SkinMotion::SkinMotion(const Mesh& mesh, std::vector<glm::vec3> rest)
-    : skin_(weld(mesh)), point_(mesh.welded), rest_(std::move(rest)) {
-  std::iota(point_.begin(), point_.end(), 0u);
-  if (rest_.size() != mesh.welded)
-    throw InputError(fmt::format("rest directions: {} for {} surface points; both counts must be equal",
-                                 rest_.size(), mesh.welded));
 }
 
 SkinMotion::SkinMotion(const Mesh& mesh, std::vector<std::uint32_t> point, std::vector<glm::vec3> rest)

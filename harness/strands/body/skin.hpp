@@ -26,12 +26,9 @@ std::vector<glm::dvec3> normals_of(const Skin& skin, const std::vector<glm::vec3
 /// Computes the skin at a mesh's surface points from the positions of these points in successive frames.
 class SkinMotion {
  public:
-  /// `rest` has the direction at rest of the strand at each surface point of the mesh as it was loaded.
-  /// Throws InputError if the number of directions is wrong.
-  SkinMotion(const Mesh& mesh, std::vector<glm::vec3> rest);
-  /// As above, but for strands at some of the surface points. Strand i grows at the surface point point[i],
-  /// and its direction at rest is rest[i]. The frames have one element per strand. Throws InputError if the
-  /// two lists have different lengths, or if the mesh has no such surface point.
+  /// Strand i grows at the surface point point[i] of the mesh as it was loaded, and its direction at rest is
+  /// rest[i]. The frames have one element per strand. Throws InputError if the two lists have different
+  /// lengths, or if the mesh has no such surface point.
   SkinMotion(const Mesh& mesh, std::vector<std::uint32_t> point, std::vector<glm::vec3> rest);
 
   /// Returns the skin of the next frame, `duration` seconds after the last frame. `position` has the surface

@@ -96,10 +96,6 @@ void check(const ChainDynamics& d) {
     throw InputError("distance field of the body: it must have at least 2 nodes along each axis");
 }
 
-bool turns(const ChainDynamics& d) {
-  return d.motion.spin != 0 || (d.motion.swing != 0 && d.motion.swing_frequency != 0);
-}
-
 ChainParams params(const ChainDynamics& d) {
   const double l1 = double(d.first_segment), l2 = 1 - l1, m2 = double(d.tip_mass);
   const double c = double(d.drag), d1 = double(d.damping_first), d2 = double(d.damping_second);

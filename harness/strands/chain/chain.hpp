@@ -60,9 +60,6 @@ struct ChainDynamics {
 /// valid range.
 void check(const ChainDynamics& dynamics);
 
-/// Returns whether the object rotates.
-bool turns(const ChainDynamics& dynamics);
-
 /// Returns the kernels' constants. Members that depend on the launch or on the number of strands are 0.
 ChainParams params(const ChainDynamics& dynamics);
 

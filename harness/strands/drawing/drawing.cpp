@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "harness/error.hpp"
+#include "harness/prepare/coat.hpp"
+#include "harness/prepare/skin.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -99,6 +101,31 @@ void check(const Look& look) {
     in_range("colour of the rim light", look.rim[axis], 0, 100);
     for (const FillLight& fill : look.fills) in_range("colour of a fill light", fill.colour[axis], 0, 1000);
   }
+}
+
+LightView light_view(const Look& look) {
+  constexpr int margin = 2;  // texels
+  const glm::dvec3 forward = -glm::normalize(glm::dvec3(look.light));
+  const glm::dvec3 up = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, up)), down = glm::cross(forward, right);
+  const double texel = 2 * double(look.shadow.radius) / (look.shadow.size - 2 * margin);
+  LightView view;
+  view.row_x = glm::vec4(glm::dvec4(right / texel, 0));
+  view.row_y = glm::vec4(glm::dvec4(down / texel, 0));
+  view.row_z = glm::vec4(glm::dvec4(forward, 0));
+  view.texel = float(texel);
+  view.size = look.shadow.size;
+  return view;
+}
+
+SkinSurface skin_surface(const Mesh& mesh, const CoatTexture& coat, glm::vec3 factor) {
+  const Skin skin = weld(mesh);
+  SkinSurface surface{mesh.position, {}, {}, mesh.triangle};
+  for (std::size_t v = 0; v < mesh.position.size(); ++v) {
+    surface.normal.emplace_back(skin.normal[mesh.weld[v]]);
+    surface.colour.emplace_back(coat_colour(coat, glm::dvec2(mesh.uv[v])) * glm::dvec3(factor));
+  }
+  return surface;
 }
 
 }  // namespace pelage::strands

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
+#include "harness/mesh/mesh.hpp"
 #include "harness/prepare/frame_input.hpp"
 
 namespace pelage::strands {
@@ -118,5 +120,31 @@ LayerLook layer_look(const Look& look, int layer);
 /// Throws InputError if a value is not finite or outside its valid range. The message names the value and the
 /// valid range.
 void check(const Look& look);
+
+/// A parallel projection along the key light. The product of a row with (p, 1) gives, for a point p in the
+/// object's frame: x and y in texels from the centre of the map, and z, the distance in R that grows away
+/// from the light.
+struct LightView {
+  glm::vec4 row_x{0}, row_y{0}, row_z{0};
+  float texel = 1;  ///< side of a texel, R
+  int size = 1;     ///< texels per side of the map
+};
+
+/// Returns the view along look.light of a map with look.shadow.size texels per side. The ball with the radius
+/// look.shadow.radius around the object's origin fills the map, with a margin of two texels on each side.
+LightView light_view(const Look& look);
+
+/// A triangle mesh with colours. Positions and normals are in the object's frame. position, normal and colour
+/// have one element per vertex.
+struct SkinSurface {
+  std::vector<glm::vec3> position;   ///< R
+  std::vector<glm::vec3> normal;     ///< unit vector
+  std::vector<glm::vec3> colour;     ///< gamma-encoded, each component 0 to 1
+  std::vector<glm::uvec3> triangle;  ///< indices of the vertices
+};
+
+/// Returns the surface of the mesh. The colour of a vertex is the coat's colour at its UV times `factor`. The
+/// normal of a vertex is the area-weighted mean of the normals of the triangles around its surface point.
+SkinSurface skin_surface(const Mesh& mesh, const CoatTexture& coat, glm::vec3 factor);
 
 }  // namespace pelage::strands

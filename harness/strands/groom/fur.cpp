@@ -11,11 +11,9 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/random.hpp"
-#include "harness/strands/groom/key_strands.hpp"
 #include "harness/strands/groom/layer_maps.hpp"
-#include "harness/strands/groom/locks.hpp"
-#include "harness/strands/groom/prefix_order.hpp"
 #include "harness/strands/groom/roots.hpp"
+#include "harness/strands/groom/steps.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -2,6 +2,7 @@
 // between them. docs/strands.md, section Authoring, defines the fur.
 #pragma once
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"
@@ -9,9 +10,14 @@
 #include "harness/strands/chain/chain.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
-#include "harness/strands/groom/layer_order.hpp"
 
 namespace pelage::strands {
+
+/// The smallest box with edges parallel to the object's axes that contains the roots and the tips of a
+/// layer's straight strands at rest. Unit: R, the radius of the mesh's bounding sphere.
+struct LayerBounds {
+  glm::vec3 low{0}, high{0};
+};
 
 /// The fur of a scene at rest.
 struct Fur {
@@ -36,5 +42,23 @@ Fur grow(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat)
 /// layers. set_chains() multiplies them by the stiffnesses of the scene, and sets the limits of the angles.
 Fur grow_layers(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat);
 void set_chains(Fur& fur, const ChainScene& chain);
+
+/// Version of the code that grows fur. The name of every cache file contains it. Increase it whenever a
+/// change of the code changes the fur. tests/strands/groom/fur_cache_test.cpp detects such changes by a hash.
+constexpr int fur_recipe = 3;
+
+/// Returns the same fur as grow(). Reads it from the cache if it was grown before for the same mesh, coat and
+/// fur layers, including the content of their pictures. Grows it again if the cache file is damaged. If the
+/// cache folder is not writable, or if the mesh has no hash, every call grows the fur.
+Fur kept_fur(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat);
+
+/// Returns the rank of each layer in a view, for LayerLook::rank. D: "Layer bounds are initially calculated
+/// by their member strands and sorted back-to-front, but additional controls bias and offset the order." Rank
+/// 0 is in front. The layers are sorted by the view depth of the centre of their bounds plus their bias (R);
+/// equal depths by their number. Then each layer moves back by its offset, a number of places. A layer with
+/// an offset below 0 moves to the front. If two layers move to the same place, the one with the larger offset
+/// is behind. The three lists have equal lengths of at most 256.
+std::vector<std::uint8_t> layer_ranks(std::span<const LayerBounds> bounds, const Camera& camera,
+                                      std::span<const float> biases, std::span<const int> offsets);
 
 }  // namespace pelage::strands

@@ -1,10 +1,9 @@
-#include "harness/strands/groom/fur_cache.hpp"
-
 #include <fmt/format.h>
 
 #include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {
 namespace {

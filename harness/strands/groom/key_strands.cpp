@@ -1,5 +1,3 @@
-#include "harness/strands/groom/key_strands.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "harness/error.hpp"
 #include "harness/prepare/tangents.hpp"
+#include "harness/strands/groom/steps.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -1,11 +1,10 @@
-#include "harness/strands/groom/layer_order.hpp"
-
 #include <algorithm>
 #include <glm/vec4.hpp>
 #include <numeric>
 #include <tuple>
 
 #include "harness/error.hpp"
+#include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {
 

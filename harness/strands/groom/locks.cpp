@@ -1,10 +1,10 @@
-#include "harness/strands/groom/locks.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <unordered_map>
+
+#include "harness/strands/groom/steps.hpp"
 
 namespace pelage::strands {
 namespace {

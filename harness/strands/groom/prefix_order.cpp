@@ -1,7 +1,7 @@
-#include "harness/strands/groom/prefix_order.hpp"
-
 #include <algorithm>
 #include <numeric>
+
+#include "harness/strands/groom/steps.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -11,29 +11,6 @@
 namespace pelage::strands {
 namespace {
 
-int chain_lanes(const cl::Queue& queue, int wanted) {
-  if (wanted != 0 && wanted != 1 && wanted != 16)
-    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", wanted));
-  return wanted != 0 ? wanted : queue.device().info().lanes;
-}
-
-int ceiling(int value, int divisor) {
-  return (value + divisor - 1) / divisor;
-}
-
-// On a CPU the slices (16 strands each) are divided among about 8 work-items per core. On a GPU a work-item
-// computes one strand.
-int units_per_item(const cl::DeviceInfo& device, int lanes, int slices, int wanted) {
-  if (wanted > 0) return wanted * (16 / lanes);
-  if (lanes == 1) return 1;
-  const int items = 8 * std::max(1, int(device.compute_units));
-  return std::clamp(ceiling(slices, items), 1, 64);
-}
-
-cl::Buffer<float> uploaded(const cl::Queue& queue, const std::vector<float>& table) {
-  return cl::Buffer<float>(queue, std::span<const float>(table));
-}
-
 std::vector<ChainState> all_at_rest(const std::vector<Chain>& chains) {
   std::vector<ChainState> states;
   states.reserve(chains.size());
@@ -48,25 +25,26 @@ Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const C
     : strands_(chains.size()),
       dynamics_(dynamics),
       params_((check(dynamics), params(dynamics))),
-      lanes_(chain_lanes(queue, options.lanes)),
+      lanes_(cl::lanes_of(queue.device().info(), options.lanes)),
       program_(queue.device(), chain_text(dynamics, lanes_, false)),
       key_program_(queue.device(), chain_keys_text(lanes_)),
       frame_(program_, "chain_frame"),
       write_keys_(key_program_, "chain_keys"),
-      constants_(uploaded(queue, strand_columns(chains, dynamics.wind))),
-      states_(uploaded(queue, state_columns(all_at_rest(chains)))) {
+      constants_(cl::uploaded(queue, strand_columns(chains, dynamics.wind))),
+      states_(cl::uploaded(queue, state_columns(all_at_rest(chains)))) {
   if (chains.empty()) throw InputError("strands: there are none; at least one is needed");
   params_.slices = int((strands_ + 15) / 16);
   params_.units_per_item =
-      units_per_item(queue.device().info(), lanes_, params_.slices, options.slices_per_item);
+      cl::units_per_item(queue.device().info(), lanes_, params_.slices, options.slices_per_item);
   // With one lane, the kernel does not use the room, but a buffer cannot be empty.
-  room_ = lanes_ == 1 ? 16 : 16 * std::size_t(ceiling(params_.slices, params_.units_per_item));
+  const int per_item = params_.units_per_item;
+  room_ = lanes_ == 1 ? 16 : 16 * std::size_t((params_.slices + per_item - 1) / per_item);
   some_constants_ = cl::Buffer<float>(queue.device(), room_ * STRAND_COLUMNS);
   some_states_ = cl::Buffer<float>(queue.device(), room_ * CHAIN_COLUMNS);
   if (!dynamics.body) return;
   chains_ = chains;
-  field_ = uploaded(queue, dynamics.body->distance);
-  body_ = uploaded(queue, body_columns(chains, dynamics, all_at_rest(chains)));
+  field_ = cl::uploaded(queue, dynamics.body->distance);
+  body_ = cl::uploaded(queue, body_columns(chains, dynamics, all_at_rest(chains)));
   some_body_ = cl::Buffer<float>(queue.device(), room_ * BODY_COLUMNS);
 }
 
@@ -81,12 +59,12 @@ void Chains::set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinF
   if (dynamics_.body)
     throw InputError("skin of the strands: the distance field of a body does not follow a skin that deforms");
   const springs::Motion& m = dynamics_.motion;
-  if (turns(dynamics_) || m.velocity != glm::vec3(0) || m.shake != glm::vec3(0))
+  if (springs::turns(dynamics_.motion) || m.velocity != glm::vec3(0) || m.shake != glm::vec3(0))
     throw InputError("skin of the strands: its frames contain the motion, so the object must not move");
   const std::vector<float> first = skin_columns(from, strands_), last = skin_columns(to, strands_);
   if (!skin_) skin_.emplace(queue.device(), chain_text(dynamics_, lanes_, true), room_);
-  skin_->from = uploaded(queue, first);
-  skin_->to = uploaded(queue, last);
+  skin_->from = cl::uploaded(queue, first);
+  skin_->to = cl::uploaded(queue, last);
   skin_->first_step = steps_;
   skin_->last_step = steps_ + substeps;
 }
@@ -98,8 +76,7 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event
                                  std::max(0L, skin_->last_step - steps_)));
   if (steps_ < known_from_ || steps_ + substeps > known_to_) {
     const int count = std::max(substeps, 256);
-    const std::vector<ChainMoment> table = moments(dynamics_, steps_, count);
-    moments_ = cl::Buffer<ChainMoment>(queue, std::span<const ChainMoment>(table));
+    moments_ = cl::uploaded(queue, moments(dynamics_, steps_, count));
     known_from_ = steps_;
     known_to_ = steps_ + count;
   }
@@ -138,9 +115,9 @@ void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
   // moments() returns values at the ends of steps, and the end of step -1 is the time 0.
   const std::vector<ChainMoment> now = moments(dynamics_, steps_ - 1, 1);
   if (present_.size() == 0)
-    present_ = cl::Buffer<ChainMoment>(queue, std::span<const ChainMoment>(now));
+    present_ = cl::uploaded(queue, now);
   else
-    present_.write(queue, std::span<const ChainMoment>(now));
+    present_.write(queue, now);
   const std::size_t units = padded / std::size_t(lanes_);
   write_keys_.with(std::int32_t(units), std::int32_t(0), present_, skin_ ? skin_->to : constants_, states_,
                    keys);
@@ -152,25 +129,9 @@ void Chains::set(const cl::Queue& queue, const std::vector<ChainState>& states, 
   if (states.size() != strands_)
     throw InputError(
         fmt::format("states: {} for {} strands; both counts must be equal", states.size(), strands_));
-  const std::vector<float> table = state_columns(states);
-  states_.write(queue, std::span<const float>(table));
-  if (dynamics_.body) {
-    const std::vector<float> body = body_columns(chains_, dynamics_, states);
-    body_.write(queue, std::span<const float>(body));
-  }
+  states_.write(queue, state_columns(states));
+  if (dynamics_.body) body_.write(queue, body_columns(chains_, dynamics_, states));
   steps_ = steps;
-}
-
-void Chains::retarget(const ChainDynamics& dynamics) {
-  ChainDynamics next = dynamics_;
-  next.gravity = dynamics.gravity;
-  next.wind = dynamics.wind;
-  next.motion = dynamics.motion;
-  check(next);
-  if (turns(next) && !turns(dynamics_))
-    throw InputError("motion of strands: an object that did not rotate must not begin to rotate");
-  dynamics_ = next;
-  known_from_ = known_to_ = 0;
 }
 
 std::vector<ChainState> Chains::states(const cl::Queue& queue) const {

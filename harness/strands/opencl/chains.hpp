@@ -29,11 +29,6 @@ class Chains {
   /// InputError if the number of states is wrong.
   void set(const cl::Queue& queue, const std::vector<ChainState>& states, long steps = 0);
 
-  /// Replaces gravity, wind and motion for all later steps. The duration of a step and the constants of the
-  /// chains stay. Throws InputError if an object that did not rotate begins to rotate, because the program
-  /// was built without rotation.
-  void retarget(const ChainDynamics& dynamics);
-
   /// The next `substeps` steps follow a skin that moves and deforms: the strands' roots move from `from` to
   /// `to`, in the world. Directions, velocities and accelerations are interpolated linearly. The call
   /// replaces ChainDynamics::motion, which must then be the default, and the roots, directions at rest and

@@ -10,10 +10,11 @@
 
 #include "harness/error.hpp"
 #include "harness/strands/drawing/detail.hpp"
-#include "harness/strands/opencl/copy.hpp"
 
 namespace pelage::strands {
 namespace {
+
+using cl::copy;
 
 constexpr std::size_t slice = 16;
 constexpr int most_chunks = 65536, most_layers = 256;
@@ -23,12 +24,6 @@ int chunks_of(const cl::Device& device, int wanted) {
     throw InputError(fmt::format("chunks: {}; give 1 to {}, or 0 for the default", wanted, most_chunks));
   if (wanted > 0) return wanted;
   return device.info().cpu ? 16 : 1024;
-}
-
-/// The exponent if it is an integer from 1 to 1024, else 0.
-int whole_exponent(float exponent) {
-  const bool whole = exponent >= 1 && exponent <= 1024 && std::floor(exponent) == exponent;
-  return whole ? int(exponent) : 0;
 }
 
 DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
@@ -64,7 +59,7 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   p.intensity = look.intensity;
   p.ambient = look.ambient;
   p.exponent = look.exponent;
-  p.whole_exponent = whole_exponent(look.exponent);
+  p.whole_exponent = cl::whole_exponent(look.exponent);
   copy(p.specular, look.specular);
   copy(p.background, look.background);
   const Irradiance fill = irradiance_of(look);
@@ -129,39 +124,27 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
       layers_(layers_of(scene.look)),
       kinds_(kinds_of(scene.look, strands)),
       layout_(layout_of(queue.device().info(), scene.camera.width, scene.camera.height, options)),
-      texts_(picture_texts(kinds_, layout_, false, scene.skin != nullptr)),
       sort_(queue.device(), options.runs),
       params_(params_of(scene, layout_.tile, chunks_of(queue.device(), options.chunks))),
-      key_program_(queue.device(), texts_.keys),
-      draw_program_(queue.device(), texts_.draw),
-      make_keys_(key_program_, "strand_keys"),
-      draw_(draw_program_, layout_.group ? "strand_group" : "strand_tiles"),
-      lists_(queue, params_, texts_.lists),
       key_bits_(key_bits_of(strands_, layers_)) {
   if (strands.empty()) throw InputError("strands: there are none; at least one is needed");
   const cl::Device& device = queue.device();
-  const std::vector<float> table = keyed_columns(strands, keys);
-  constants_ = cl::Buffer<float>(queue, std::span<const float>(table));
+  constants_ = cl::uploaded(queue, keyed_columns(strands, keys));
   keys_ = cl::Buffer<float>(device, (keys + slice - 1) / slice * slice * KEY_RECORD);
   const std::size_t padded = (strands.size() + slice - 1) / slice * slice;
   params_.runs = sort_.runs();
   set_pruning(Look{});
   params_.capacity = params_.units_per_run * layout_.lanes;
   set_pruning(scene.look);
-  rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
-  const std::vector<std::int32_t> film = film_table(scene.look);
-  film_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(film));
+  pass_.emplace(queue, params_, picture_texts(kinds_, layout_, false, scene.skin != nullptr), layout_,
+                padded);
+  film_ = cl::uploaded(queue, film_table(scene.look));
   layer_table_ = cl::Buffer<std::int32_t>(device, std::size_t(most_layers) * LAYER_RECORD);
-  curves_ = cl::Buffer<float>(device, 1);
-  blocks_ = cl::Buffer<std::uint64_t>(device, padded);
-  pairs_ = cl::Buffer<cl::Pair>(device, std::size_t(params_.capacity) * std::size_t(params_.runs));
-  live_ = cl::Buffer<std::int32_t>(device, std::size_t(params_.runs));
   no_map_ = cl::Buffer<glm::vec4>(device, 1);
   no_skin_ = cl::Buffer<glm::vec4>(device, 1);
   if (scene.look.shadow.reading != Shadow::none)
     map_.emplace(queue, params_, light_view(scene.look), kinds_, layout_, padded);
   if (scene.skin) skin_.emplace(queue, params_, *scene.skin, layout_.lanes, skin_text(kinds_, layout_.lanes));
-  image_ = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
 }
 
 void Drawer::set_pruning(const Look& look) {
@@ -202,16 +185,13 @@ void Drawer::set_view(const DrawingScene& scene) {
 
 void Drawer::write_layers(const cl::Queue& queue) {
   if (layers_written_) return;
-  const std::vector<std::int32_t> table = layer_table(layers_);
-  layer_table_.write(queue, table);
+  layer_table_.write(queue, layer_table(layers_));
   layers_written_ = true;
 }
 
 void Drawer::enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events) {
   write_layers(queue);
-  make_keys_.with(params_, constants_, keys_, layer_table_, rows_, blocks_, pairs_, live_, curves_);
-  cl::Event event = make_keys_.enqueue(queue, std::size_t(params_.runs));
-  if (events) events->emplace_back("keys", std::move(event));
+  pass_->make_keys(queue, params_, constants_, keys_, layer_table_, "keys", events);
 }
 
 void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
@@ -219,26 +199,25 @@ void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
     write_layers(queue);
     map_->enqueue(queue, params_, light_view(scene_.look), {constants_, keys_, layer_table_, film_}, events);
   }
-  if (skin_) skin_->enqueue(queue, params_, map_ ? map_->texels() : no_map_, events);
+  const cl::Buffer<glm::vec4>& map = map_ ? map_->texels() : no_map_;
+  if (skin_) skin_->enqueue(queue, params_, map, events);
   enqueue_keys(queue, events);
   std::vector<cl::Event> sorted;
-  sort_.sort(queue, pairs_, live_, std::size_t(params_.capacity), key_bits_, &sorted);
+  sort_.sort(queue, pass_->pairs(), pass_->live(), std::size_t(params_.capacity), key_bits_, &sorted);
   if (events)
     for (cl::Event& event : sorted) events->emplace_back("sort", std::move(event));
-  lists_.enqueue(queue, params_, sort_.total(), blocks_, pairs_, "bin", events);
-  cl::Event event = lists_.draw(queue, draw_, layout_.group, layout_.tile, params_, rows_, film_,
-                                map_ ? map_->texels() : no_map_, skin_ ? skin_->pixels() : no_skin_, image_);
-  if (events) events->emplace_back("raster", std::move(event));
+  pass_->draw(queue, params_, sort_.total(), film_, map, skin_ ? skin_->pixels() : no_skin_, "bin", "raster",
+              events);
 }
 
 Picture Drawer::read(const cl::Queue& queue) const {
-  return {params_.width, params_.height, image_.read(queue)};
+  return {params_.width, params_.height, pass_->image().read(queue)};
 }
 
 std::vector<Entry> Drawer::order(const cl::Queue& queue) const {
   const std::vector<std::int32_t> total = sort_.total().read(queue);
   std::vector<cl::Pair> pairs(std::size_t(total.front()));
-  pairs_.read(queue, std::span<cl::Pair>(pairs));
+  pass_->pairs().read(queue, std::span<cl::Pair>(pairs));
   std::vector<Entry> order;
   order.reserve(pairs.size());
   for (const cl::Pair& pair : pairs) order.push_back({pair.key, pair.value});
@@ -246,14 +225,15 @@ std::vector<Entry> Drawer::order(const cl::Queue& queue) const {
 }
 
 std::vector<DrawnStrand> Drawer::curves(const cl::Queue& queue) {
-  curves_ = cl::Buffer<float>(queue.device(), blocks_.size() * CURVE_COLUMNS);
+  const std::size_t padded = (strands_.size() + slice - 1) / slice * slice;
+  pass_->curves() = cl::Buffer<float>(queue.device(), padded * CURVE_COLUMNS);
   params_.keep_curves = 1;
   set_pruning(Look{});
   enqueue_keys(queue, nullptr);
   params_.keep_curves = 0;
   set_pruning(scene_.look);
-  const std::vector<float> table = curves_.read(queue);
-  curves_ = cl::Buffer<float>(queue.device(), 1);
+  const std::vector<float> table = pass_->curves().read(queue);
+  pass_->curves() = cl::Buffer<float>(queue.device(), 1);
   std::vector<DrawnStrand> drawn(strands_.size());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const auto vector = [&](int column) {
@@ -282,7 +262,7 @@ void Drawer::deform_skin(const cl::Queue& queue, const SkinSurface& skin) {
 }
 
 std::vector<const cl::Program*> Drawer::programs() const {
-  std::vector<const cl::Program*> all{&key_program_, &lists_.program(), &draw_program_};
+  std::vector<const cl::Program*> all = pass_->programs();
   for (const cl::Program* program : sort_.programs()) all.push_back(program);
   if (map_)
     for (const cl::Program* program : map_->programs()) all.push_back(program);

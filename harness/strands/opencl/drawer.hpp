@@ -1,22 +1,127 @@
 // Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
 #pragma once
+#include <algorithm>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/cl/pair_sort.hpp"
-#include "harness/cl/phases.hpp"
+#include "harness/cl/program.hpp"
+#include "harness/cl/radix_sort.hpp"
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
-#include "harness/strands/opencl/drawer_options.hpp"
-#include "harness/strands/opencl/opacity_map.hpp"
-#include "harness/strands/opencl/skin_drawer.hpp"
-#include "harness/strands/opencl/tile_lists.hpp"
+#include "harness/strands/opencl/program_texts.hpp"
+#include "kernels/strands/draw/params.h"
 
 namespace pelage::strands {
+
+/// The kernels that draw strands into a picture or into an opacity map: they compute the curves and sort
+/// keys, list the strands that each tile may show (kernels/strands/draw/bins.cl), and draw the tiles.
+class StrandPass {
+ public:
+  /// params.tiles_x, tiles_y, capacity, runs and chunks must be set. `padded` is the number of strands,
+  /// rounded up to a multiple of 16.
+  StrandPass(const cl::Queue& queue, const DrawParams& params, const PictureTexts& texts,
+             const DrawerLayout& layout, std::size_t padded);
+
+  /// Enqueues the kernel that writes the curves and the sort keys.
+  void make_keys(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<float>& constants,
+                 const cl::Buffer<float>& keys, const cl::Buffer<std::int32_t>& layers, const char* phase,
+                 cl::PhaseEvents* events);
+
+  /// Enqueues the kernels that list the first total[0] pairs and draw the tiles, in the phases `list_phase`
+  /// and `draw_phase`. film, map, skin: see strand_tiles (tile.cl). The host waits once, because it needs the
+  /// total length of the lists to allocate them. Throws DeviceError if it is 2^31 or more.
+  void draw(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<std::int32_t>& total,
+            const cl::Buffer<std::int32_t>& film, const cl::Buffer<glm::vec4>& map,
+            const cl::Buffer<glm::vec4>& skin, const char* list_phase, const char* draw_phase,
+            cl::PhaseEvents* events);
+
+  cl::Buffer<cl::Pair>& pairs() { return pairs_; }  ///< the sort keys, in params.runs runs
+  const cl::Buffer<cl::Pair>& pairs() const { return pairs_; }
+  const cl::Buffer<std::int32_t>& live() const { return live_; }  ///< number of pairs of each run
+  /// All curves, if params.keep_curves is set. The buffer then has CURVE_COLUMNS columns.
+  cl::Buffer<float>& curves() { return curves_; }
+  const cl::Buffer<glm::vec4>& image() const { return image_; }
+  std::vector<const cl::Program*> programs() const { return {&key_program_, &list_program_, &draw_program_}; }
+
+ private:
+  DrawerLayout layout_;
+  cl::Program key_program_, list_program_, draw_program_;
+  cl::Kernel make_keys_, count_, sum_, start_, fill_, draw_;
+  cl::Buffer<float> rows_, curves_;
+  cl::Buffer<std::uint64_t> blocks_;
+  cl::Buffer<cl::Pair> pairs_;
+  cl::Buffer<std::int32_t> live_, chunk_count_, length_, list_start_, list_, taken_;
+  cl::Buffer<std::uint16_t> spot_, blank_;
+  cl::Buffer<glm::vec4> image_;
+};
+
+/// The buffers of a picture that its opacity map also uses.
+struct PictureBuffers {
+  const cl::Buffer<float>&constants, &keys;
+  const cl::Buffer<std::int32_t>&layers, &film;
+};
+
+class OpacityMap {
+ public:
+  /// `kinds`, `picture`: of the picture for which the map is made. params.chunks and runs must be set, and
+  /// `padded` is the number of strands, rounded up to a multiple of 16.
+  OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view,
+             const PictureKinds& kinds, const DrawerLayout& picture, std::size_t padded);
+
+  /// Enqueues the kernels that draw the map, all in the phase `shadow`. `params` describes the picture.
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
+               const PictureBuffers& buffers, cl::PhaseEvents* events);
+
+  /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), 1 / D in 1/R
+  /// (docs/strands.md, section Shadow), transmittance 1 - A, and 0.
+  const cl::Buffer<glm::vec4>& texels() const { return pass_.image(); }
+  std::vector<const cl::Program*> programs() const { return pass_.programs(); }
+
+ private:
+  DrawerLayout layout_;
+  StrandPass pass_;
+  cl::Buffer<std::int32_t> total_;
+  cl::Buffer<glm::vec4> nothing_;  ///< the map and the skin, which the kernels do not read
+  int strands_ = -1;               ///< the number in total_
+};
+
+/// Sets the rows of `params` with which a kernel finds a point of the picture in the opacity map.
+void set_map_rows(DrawParams& params, const Camera& camera, const Look& look);
+
+class SkinDrawer {
+ public:
+  /// `params.width` and `params.height` must be set. `lanes`: number of vertices, triangles or pixels that a
+  /// work-item computes at a time, 1 or 16. `text`: skin_text() with the same `lanes`. Throws InputError if
+  /// the surface has no triangles.
+  SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
+             const cl::ProgramText& text);
+
+  /// Enqueues the kernels that draw the skin. Their launches belong to the phase `skin`. `map` has the texels
+  /// of the opacity map.
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec4>& map,
+               cl::PhaseEvents* events);
+
+  /// Replaces the positions and normals of the vertices. Throws InputError if their number is wrong.
+  void deform(const cl::Queue& queue, const SkinSurface& skin);
+
+  /// Returns the pixels, row by row. A pixel has red, green, blue and the view depth in R. The depth is
+  /// NO_DEPTH if the pixel has no skin.
+  const cl::Buffer<glm::vec4>& pixels() const { return pixels_; }
+  const cl::Program& program() const { return program_; }
+
+ private:
+  int vertices_, triangles_, pixel_count_, lanes_;
+  cl::Program program_;
+  cl::Kernel make_vertices_, clear_, find_depth_, find_owner_, colour_pixels_;
+  cl::Buffer<float> position_, normal_, colour_, vertex_;
+  cl::Buffer<std::int32_t> index_, owner_;
+  cl::Buffer<std::uint32_t> depth_;
+  cl::Buffer<glm::vec4> pixels_;
+};
 
 /// What a picture shows, and from where.
 struct DrawingScene {
@@ -62,8 +167,6 @@ class Drawer {
   /// Replaces the positions and normals of the skin for all later pictures. The picture must have a skin, and
   /// the skin keeps its vertices and triangles.
   void deform_skin(const cl::Queue& queue, const SkinSurface& skin);
-  /// Number of strands in the tiles' lists of the last picture. A strand counts once per tile.
-  std::size_t listed() const { return lists_.listed(); }
   /// Returns the texels of the last opacity map, row by row (OpacityMap::texels()). It is empty if the look
   /// has no shadow.
   std::vector<glm::vec4> opacity_map(const cl::Queue& queue) const;
@@ -79,21 +182,15 @@ class Drawer {
   std::vector<LayerLook> layers_;  ///< of all 256 possible fur layers
   PictureKinds kinds_;
   DrawerLayout layout_;
-  PictureTexts texts_;
   cl::PairSort sort_;
   DrawParams params_;
-  cl::Program key_program_, draw_program_;
-  cl::Kernel make_keys_, draw_;
-  TileLists lists_;
+  std::optional<StrandPass> pass_;
   std::optional<OpacityMap> map_;
   std::optional<SkinDrawer> skin_;
-  cl::Buffer<float> constants_, keys_, rows_, curves_;
-  cl::Buffer<std::uint64_t> blocks_;
-  cl::Buffer<cl::Pair> pairs_;
-  cl::Buffer<std::int32_t> film_, layer_table_, live_;
+  cl::Buffer<float> constants_, keys_;
+  cl::Buffer<std::int32_t> film_, layer_table_;
   cl::Buffer<glm::vec4> no_map_;   ///< the kernels' argument if the look has no shadow
   cl::Buffer<glm::vec4> no_skin_;  ///< the kernels' argument if the picture has no skin
-  cl::Buffer<glm::vec4> image_;
   bool layers_written_ = false;
   int key_bits_;  ///< number of bits that the sort keys use
 };

@@ -1,5 +1,3 @@
-#include "harness/strands/opencl/opacity_map.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,10 +5,12 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "harness/strands/opencl/copy.hpp"
+#include "harness/strands/opencl/drawer.hpp"
 
 namespace pelage::strands {
 namespace {
+
+using cl::copy;
 
 /// The parameters of the map. `params` are those of the picture.
 DrawParams map_params(DrawParams params, const LightView& view, int lanes, int tile) {
@@ -28,28 +28,21 @@ DrawParams map_params(DrawParams params, const LightView& view, int lanes, int t
   return params;
 }
 
+/// The same parameters with the capacity of the picture, which suffices for all strands in every view.
+DrawParams with_capacity(DrawParams map, const DrawParams& picture) {
+  map.capacity = picture.capacity;
+  return map;
+}
+
 }  // namespace
 
 OpacityMap::OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view,
                        const PictureKinds& kinds, const DrawerLayout& picture, std::size_t padded)
     : layout_(map_layout(picture)),
-      texts_(picture_texts(kinds, layout_, true, false)),
-      key_program_(queue.device(), texts_.keys),
-      draw_program_(queue.device(), texts_.draw),
-      make_keys_(key_program_, "strand_keys"),
-      draw_(draw_program_, layout_.group ? "strand_group" : "strand_tiles"),
-      lists_(queue, map_params(params, view, layout_.lanes, layout_.tile), texts_.lists) {
-  const cl::Device& device = queue.device();
-  rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
-  curves_ = cl::Buffer<float>(device, 1);
-  blocks_ = cl::Buffer<std::uint64_t>(device, padded);
-  pairs_ = cl::Buffer<cl::Pair>(device, std::size_t(params.capacity) * std::size_t(params.runs));
-  live_ = cl::Buffer<std::int32_t>(device, std::size_t(params.runs));
-  total_ = cl::Buffer<std::int32_t>(device, 1);
-  no_map_ = cl::Buffer<glm::vec4>(device, 1);
-  no_skin_ = cl::Buffer<glm::vec4>(device, 1);
-  texels_ = cl::Buffer<glm::vec4>(device, std::size_t(view.size) * std::size_t(view.size));
-}
+      pass_(queue, with_capacity(map_params(params, view, layout_.lanes, layout_.tile), params),
+            picture_texts(kinds, layout_, true, false), layout_, padded),
+      total_(queue.device(), 1),
+      nothing_(queue.device(), 1) {}
 
 void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
                          const PictureBuffers& buffers, cl::PhaseEvents* events) {
@@ -59,18 +52,8 @@ void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const
     total_.write(queue, total);
     strands_ = p.strands;
   }
-  make_keys_.with(p, buffers.constants, buffers.keys, buffers.layers, rows_, blocks_, pairs_, live_, curves_);
-  cl::Event made = make_keys_.enqueue(queue, std::size_t(p.runs));
-  if (events) events->emplace_back("shadow", std::move(made));
-  lists_.enqueue(queue, p, total_, blocks_, pairs_, "shadow", events);
-  // The kernels that draw the map read neither a map nor a skin.
-  cl::Event drawn = lists_.draw(queue, draw_, layout_.group, layout_.tile, p, rows_, buffers.film, no_map_,
-                                no_skin_, texels_);
-  if (events) events->emplace_back("shadow", std::move(drawn));
-}
-
-std::vector<const cl::Program*> OpacityMap::programs() const {
-  return {&key_program_, &lists_.program(), &draw_program_};
+  pass_.make_keys(queue, p, buffers.constants, buffers.keys, buffers.layers, "shadow", events);
+  pass_.draw(queue, p, total_, buffers.film, nothing_, nothing_, "shadow", "shadow", events);
 }
 
 void set_map_rows(DrawParams& params, const Camera& camera, const Look& look) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/cl/pair_sort.hpp"
+#include "harness/cl/radix_sort.hpp"
 #include "harness/error.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 #include "kernels/strands/draw/params.h"
@@ -13,12 +13,6 @@ namespace pelage::strands {
 namespace {
 
 constexpr int item_map_tile = 64, group_map_tile = 16;
-
-int lanes_of(const cl::DeviceInfo& device, int wanted) {
-  if (wanted != 0 && wanted != 1 && wanted != 16)
-    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", wanted));
-  return wanted != 0 ? wanted : device.lanes;
-}
 
 bool is_group(const cl::DeviceInfo& device, Drawing mapping) {
   return mapping == Drawing::standard ? !device.cpu : mapping == Drawing::group;
@@ -67,7 +61,7 @@ PictureKinds expected_kinds(const Scene& scene) {
 
 DrawerLayout layout_of(const cl::DeviceInfo& device, int width, int height, const DrawerOptions& options) {
   const bool group = is_group(device, options.mapping);
-  return {group, tile_of(device, width, height, group, options.tile), lanes_of(device, options.lanes),
+  return {group, tile_of(device, width, height, group, options.tile), cl::lanes_of(device, options.lanes),
           group ? 1 : tile_lanes_of(options.tile_lanes)};
 }
 
@@ -92,9 +86,9 @@ cl::ProgramText skin_text(const PictureKinds& kinds, int lanes) {
 }
 
 cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follows) {
-  return {"strands/chain/chain.cl",
-          fmt::format("-D LANES={} -D TURNING={} -D CHAIN_BODY={} -D CHAIN_SKIN={}", lanes,
-                      int(!follows && turns(dynamics)), int(dynamics.body != nullptr), int(follows))};
+  return {"strands/chain/chain.cl", fmt::format("-D LANES={} -D TURNING={} -D CHAIN_BODY={} -D CHAIN_SKIN={}",
+                                                lanes, int(!follows && springs::turns(dynamics.motion)),
+                                                int(dynamics.body != nullptr), int(follows))};
 }
 
 cl::ProgramText chain_keys_text(int lanes) {

@@ -1,5 +1,3 @@
-#include "harness/strands/opencl/skin_drawer.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "harness/error.hpp"
+#include "harness/strands/opencl/drawer.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -26,11 +25,6 @@ std::vector<std::int32_t> flat(const std::vector<glm::uvec3>& triangles) {
   for (const glm::uvec3& t : triangles)
     values.insert(values.end(), {std::int32_t(t.x), std::int32_t(t.y), std::int32_t(t.z)});
   return values;
-}
-
-template <class T>
-cl::Buffer<T> on_device(const cl::Queue& queue, const std::vector<T>& values) {
-  return cl::Buffer<T>(queue, std::span<const T>(values));
 }
 
 /// Room for `count` elements in groups of at most 16.
@@ -55,10 +49,10 @@ SkinDrawer::SkinDrawer(const cl::Queue& queue, const DrawParams& params, const S
   if (triangles_ == 0) throw InputError("skin of the strands: no triangles; give at least one");
   const cl::Device& device = queue.device();
   const std::size_t pixels = padded(std::size_t(params.width) * std::size_t(params.height));
-  position_ = on_device(queue, flat(skin.position));
-  normal_ = on_device(queue, flat(skin.normal));
-  colour_ = on_device(queue, flat(skin.colour));
-  index_ = on_device(queue, flat(skin.triangle));
+  position_ = cl::uploaded(queue, flat(skin.position));
+  normal_ = cl::uploaded(queue, flat(skin.normal));
+  colour_ = cl::uploaded(queue, flat(skin.colour));
+  index_ = cl::uploaded(queue, flat(skin.triangle));
   vertex_ = cl::Buffer<float>(device, padded(skin.position.size()) * vertex_record);
   owner_ = cl::Buffer<std::int32_t>(device, pixels);
   depth_ = cl::Buffer<std::uint32_t>(device, pixels);

@@ -4,20 +4,12 @@
 
 #include "harness/cl/mapping_names.hpp"
 #include "harness/error.hpp"
-#include "harness/strands/opencl/chains.hpp"
-#include "harness/strands/scene/skin_frames.hpp"
 
 namespace pelage::strands {
 namespace {
 
 DrawingScene drawing_of(const StrandInput& input) {
-  DrawingScene scene;
-  scene.camera = input.camera;
-  scene.look = input.look;
-  scene.range = input.range;
-  scene.first_segment = input.dynamics.first_segment;
-  scene.skin = input.skin;
-  return scene;
+  return {input.camera, input.look, input.range, input.dynamics.first_segment, input.skin};
 }
 
 }  // namespace
@@ -30,144 +22,92 @@ Drawing drawing_named(const std::string& name) {
                                cl::group_mapping));
 }
 
-struct Strands::State {
-  cl::Queue queue;
-  std::shared_ptr<const StrandInput> input;
-  Chains chains;
-  Drawer drawer;
-  std::optional<SkinFrames> skin;  ///< empty if the mesh does not deform
-  SkinFrame before;                ///< the skin at the beginning of the last frame
-  bool followed = false;           ///< the skin of the next frame is on the device
-  int frames = 0;
-
-  State(const cl::Device& device, std::shared_ptr<const StrandInput> from, const DrawerOptions& options)
-      : queue(device),
-        input(std::move(from)),
-        chains(queue, input->fur.chains, input->dynamics),
-        drawer(queue, drawing_of(*input), input->fur.strands, input->fur.keys.size(), options) {
-    if (input->mesh->frames.empty()) return;
-    skin.emplace(input->scene, input->mesh, input->fur, input->skin);
-    skin->advance();
-    before = skin->frame();
-  }
-
-  void follow_skin() {
-    if (!skin || followed) return;
-    before = skin->frame();
-    skin->advance();
-    chains.set_skin(queue, before, skin->frame(), input->scene.dynamics.substeps);
-    if (skin->surface()) drawer.deform_skin(queue, *skin->surface());
-    queue.finish();
-    followed = true;
-  }
-
-  void move(cl::PhaseEvents* events) {
-    followed = false;
-    std::vector<cl::Event> launches;
-    chains.enqueue(queue, input->scene.dynamics.substeps, events ? &launches : nullptr);
-    for (cl::Event& event : launches) events->emplace_back("simulate", std::move(event));
-  }
-
-  void draw(cl::PhaseEvents* events) {
-    std::vector<cl::Event> launches;
-    chains.write_keys(queue, drawer.keys(), events ? &launches : nullptr);
-    for (cl::Event& event : launches) events->emplace_back("keys", std::move(event));
-    drawer.enqueue(queue, events);
-  }
-};
-
 Strands::Strands(const cl::Device& device, std::shared_ptr<const StrandInput> input,
                  const DrawerOptions& options)
-    : state_(std::make_unique<State>(device, std::move(input), options)) {}
-Strands::~Strands() = default;
-Strands::Strands(Strands&&) noexcept = default;
-Strands& Strands::operator=(Strands&&) noexcept = default;
+    : queue_(device),
+      input_(std::move(input)),
+      chains_(queue_, input_->fur.chains, input_->dynamics),
+      drawer_(queue_, drawing_of(*input_), input_->fur.strands, input_->fur.keys.size(), options) {
+  if (input_->mesh->frames.empty()) return;
+  skin_.emplace(input_->scene, input_->mesh, input_->fur, input_->skin);
+  skin_->advance();
+  before_ = skin_->frame();
+}
+
+void Strands::follow_skin() {
+  if (!skin_ || followed_) return;
+  before_ = skin_->frame();
+  skin_->advance();
+  chains_.set_skin(queue_, before_, skin_->frame(), input_->scene.dynamics.substeps);
+  if (skin_->surface()) drawer_.deform_skin(queue_, *skin_->surface());
+  queue_.finish();
+  followed_ = true;
+}
+
+void Strands::move(std::vector<cl::Event>* launches) {
+  followed_ = false;
+  chains_.enqueue(queue_, input_->scene.dynamics.substeps, launches);
+}
 
 cl::FrameTiming Strands::frame() {
-  State& s = *state_;
-  s.follow_skin();
-  const cl::FrameTiming timing = cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) {
-    s.move(&events);
-    s.draw(&events);
+  follow_skin();
+  const cl::FrameTiming timing = cl::timed_frame(queue_, [&](cl::PhaseEvents& events) {
+    std::vector<cl::Event> moved, written;
+    move(&moved);
+    for (cl::Event& event : moved) events.emplace_back("simulate", std::move(event));
+    chains_.write_keys(queue_, drawer_.keys(), &written);
+    for (cl::Event& event : written) events.emplace_back("keys", std::move(event));
+    drawer_.enqueue(queue_, &events);
   });
-  ++s.frames;
+  ++frames_;
   return timing;
 }
 
 cl::FrameTiming Strands::still() {
-  State& s = *state_;
-  s.chains.write_keys(s.queue, s.drawer.keys());
-  s.queue.finish();
-  return cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) { s.drawer.enqueue(s.queue, &events); });
+  chains_.write_keys(queue_, drawer_.keys());
+  queue_.finish();
+  return cl::timed_frame(queue_, [&](cl::PhaseEvents& events) { drawer_.enqueue(queue_, &events); });
 }
 
 bool Strands::set_view(std::shared_ptr<const StrandInput> input) {
-  State& s = *state_;
   const DrawingScene scene = drawing_of(*input);
-  if (!s.drawer.can_show(scene)) return false;
-  s.drawer.set_view(scene);
-  s.input = std::move(input);
+  if (!drawer_.can_show(scene)) return false;
+  drawer_.set_view(scene);
+  input_ = std::move(input);
   return true;
 }
 
 void Strands::advance(int frames) {
-  State& s = *state_;
-  for (int i = 0; i < frames; ++i, ++s.frames) {
-    s.follow_skin();
-    s.move(nullptr);
+  for (int i = 0; i < frames; ++i, ++frames_) {
+    follow_skin();
+    move(nullptr);
   }
-  s.queue.finish();
+  queue_.finish();
 }
 
-Picture Strands::read() const {
-  return state_->drawer.read(state_->queue);
-}
-int Strands::frames_simulated() const {
-  return state_->frames;
-}
-std::vector<ChainState> Strands::states() const {
-  return state_->chains.states(state_->queue);
-}
 long Strands::substep() {
-  const long index = state_->chains.steps();
+  const long index = chains_.steps();
   // This substep is the first half of the last frame's motion once more. The next frame begins where the last
   // one ended.
-  if (const auto& skin = state_->skin)
-    state_->chains.set_skin(state_->queue, state_->before, skin->frame(), 2);
-  state_->chains.enqueue(state_->queue, 1);
-  state_->queue.finish();
+  if (skin_) chains_.set_skin(queue_, before_, skin_->frame(), 2);
+  chains_.enqueue(queue_, 1);
+  queue_.finish();
   return index;
 }
+
 std::optional<std::pair<SkinFrame, SkinFrame>> Strands::skin_frames() const {
-  if (!state_->skin) return {};
-  return std::pair(state_->before, state_->skin->frame());
+  if (!skin_) return {};
+  return std::pair(before_, skin_->frame());
 }
-void Strands::follow_skin() {
-  state_->follow_skin();
-}
-std::shared_ptr<const SkinSurface> Strands::surface() const {
-  return state_->skin ? state_->skin->surface() : state_->input->skin;
-}
-std::vector<KeyStrand> Strands::keys() const {
-  return keys_of(state_->drawer.keys().read(state_->queue), state_->input->fur.keys.size());
-}
-std::vector<DrawnStrand> Strands::curves() {
-  return state_->drawer.curves(state_->queue);
-}
-std::vector<Entry> Strands::order() const {
-  return state_->drawer.order(state_->queue);
+
+std::vector<KeyStrand> Strands::keys() {
+  return keys_of(drawer_.keys().read(queue_), input_->fur.keys.size());
 }
 
 std::vector<const cl::Program*> Strands::programs() const {
-  std::vector<const cl::Program*> all = state_->chains.programs();
-  for (const cl::Program* program : state_->drawer.programs()) all.push_back(program);
+  std::vector<const cl::Program*> all = chains_.programs();
+  for (const cl::Program* program : drawer_.programs()) all.push_back(program);
   return all;
-}
-
-double Strands::build_ms() const {
-  double sum = 0;
-  for (const cl::Program* program : programs()) sum += program->build_ms();
-  return sum;
 }
 
 }  // namespace pelage::strands

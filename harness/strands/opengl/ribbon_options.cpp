@@ -1,5 +1,3 @@
-#include "harness/strands/opengl/ribbon_options.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "harness/error.hpp"
+#include "harness/strands/opengl/ribbons.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -24,6 +24,13 @@ struct RibbonOptions {
   bool operator==(const RibbonOptions&) const = default;
 };
 
+/// Reads options such as "expand=indexed,target=rgba8". Options that are absent keep their defaults. Throws
+/// InputError for an unknown name or value.
+RibbonOptions ribbon_options(const std::string& text);
+
+/// Returns all options as text that ribbon_options() reads.
+std::string to_text(const RibbonOptions& options);
+
 /// The scene of a picture of strands, as OpenGL draws it.
 struct RibbonScene {
   Camera camera;

@@ -7,10 +7,6 @@
 #include <numbers>
 #include <optional>
 
-#include "harness/strands/reference/opacity_map.hpp"
-#include "harness/strands/reference/skin.hpp"
-#include "harness/strands/reference/strip.hpp"
-
 namespace pelage::strands::reference {
 namespace {
 

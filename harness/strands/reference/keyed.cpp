@@ -1,8 +1,8 @@
-#include "harness/strands/reference/keyed.hpp"
-
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+
+#include "harness/strands/reference/drawing.hpp"
 
 namespace pelage::strands::reference {
 namespace {

@@ -1,11 +1,9 @@
-#include "harness/strands/reference/opacity_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/strip.hpp"
 
 namespace pelage::strands::reference {
 namespace {

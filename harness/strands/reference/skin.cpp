@@ -1,4 +1,3 @@
-#include "harness/strands/reference/skin.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "harness/strands/reference/strip.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+
+#include "harness/strands/reference/drawing.hpp"
 
 namespace pelage::strands::reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/strands/scene/skin_frames.hpp"
+#include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -8,7 +8,7 @@
 #include "harness/prepare/camera.hpp"
 #include "harness/prepare/texture_cache.hpp"
 #include "harness/strands/drawing/detail.hpp"
-#include "harness/strands/groom/fur_cache.hpp"
+#include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -125,11 +125,8 @@ ChainDynamics chain_dynamics(const Scene& scene) {
   dynamics.damping_first = chain.damping;
   dynamics.damping_second = chain.damping_joint;
   dynamics.gravity = d.gravity;
-  const float drag = d.mass * chain.drag;
-  dynamics.wind = {d.wind.direction, drag > 0 ? d.wind.strength / drag : 0, d.wind.gust, d.wind.frequency,
-                   d.wind.wavelength};
-  const MotionScene& m = d.motion;
-  dynamics.motion = {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+  dynamics.wind = springs::wind_of(d.wind, d.mass * chain.drag);
+  dynamics.motion = springs::motion_of(d.motion);
   return dynamics;
 }
 

@@ -24,10 +24,9 @@ std::vector<glm::vec4> mask_of(const FrameInput& input, int frames) {
   return mask;
 }
 
-class InOpenGl : public Backend {
+class ShellsInOpenGl : public InOpenGl<FrameInput, OpenGlOptions> {
  public:
-  explicit InOpenGl(const BackendOptions& options)
-      : renderer_(present_renderer()), options_(opengl_options(options.opengl)) {}
+  using InOpenGl::InOpenGl;
 
   void load(const SystemInput& input) override {
     opengl_.reset();
@@ -39,25 +38,6 @@ class InOpenGl : public Backend {
     opengl_.emplace(input_, mask_, options_);
   }
 
-  /// Simulates the strands and the water.
-  void prepare_frame() override {
-    if (prepared_) return;
-    advance(1);
-    if (water_changes(input_->scene.wetness, input_->droplets)) {
-      mask_ = mask_of(*input_, frames_);
-      opengl_->set_mask(mask_);
-    }
-    std::vector<glm::vec3> tips;
-    tips.reserve(strands_.size());
-    for (const reference::Strand& strand : strands_) tips.emplace_back(strand.tip);
-    opengl_->bend(tips, frames_);
-    prepared_ = true;
-  }
-  cl::FrameTiming frame() override {
-    prepare_frame();
-    prepared_ = false;
-    return still();
-  }
   cl::FrameTiming still() override { return {opengl_->frame(), {}, {}}; }
   void advance(int frames) override {
     const std::size_t substeps = std::size_t(frames) * std::size_t(input_->scene.dynamics.substeps);
@@ -68,7 +48,6 @@ class InOpenGl : public Backend {
     });
     frames_ += frames;
   }
-  int frames_simulated() const override { return frames_; }
   Picture read() override { return opengl_->read(); }
   void dump(Hdf5File& file, const Scene& scene) override {
     FrameOutput output{"", frames_, {}, {}, mask_, {}};
@@ -87,29 +66,35 @@ class InOpenGl : public Backend {
     return checks;
   }
   void describe(Description& row) override {
+    InOpenGl::describe(row);
     row.metrics["wet_share"] = {wet_share(*input_->mesh, mask_, input_->scene.wetness.size), "1"};
-    row.opengl_renderer = renderer_;
-    row.opengl_options = to_text(options_);
   }
   std::string title() const override { return fmt::format("opengl on {}, {}", renderer_, to_text(options_)); }
   double build_ms() const override { return opengl_->build_ms(); }
-  std::string device() const override { return renderer_; }
 
  private:
-  std::string renderer_;
-  OpenGlOptions options_;
-  std::shared_ptr<const FrameInput> input_;
+  /// Simulates the strands and the water.
+  void simulate() override {
+    advance(1);
+    if (water_changes(input_->scene.wetness, input_->droplets)) {
+      mask_ = mask_of(*input_, frames_);
+      opengl_->set_mask(mask_);
+    }
+    std::vector<glm::vec3> tips;
+    tips.reserve(strands_.size());
+    for (const reference::Strand& strand : strands_) tips.emplace_back(strand.tip);
+    opengl_->bend(tips, frames_);
+  }
+
   std::vector<glm::vec4> mask_;
   std::vector<reference::Strand> strands_;
-  int frames_ = 0;
-  bool prepared_ = false;  ///< the next frame() only draws
   std::optional<OpenGl> opengl_;
 };
 
 }  // namespace
 
 std::unique_ptr<Backend> open_opengl(const BackendOptions& options, const Scene&) {
-  return std::make_unique<InOpenGl>(options);
+  return std::make_unique<ShellsInOpenGl>(opengl_options(options.opengl));
 }
 
 }  // namespace pelage::shells

@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "harness/strands/opengl/ribbon_options.hpp"
 #include "harness/strands/opengl/ribbons.hpp"
 #include "harness/system/backend_parts.hpp"
 #include "harness/system/strands/backends.hpp"
@@ -22,10 +21,9 @@ void need_key_light_only(const StrandInput& input) {
         "\"none\", strands.skin = false");
 }
 
-class InOpenGl : public Backend {
+class StrandsInOpenGl : public InOpenGl<StrandInput, RibbonOptions> {
  public:
-  explicit InOpenGl(const BackendOptions& options)
-      : renderer_(present_renderer()), options_(ribbon_options(options.opengl)) {}
+  using InOpenGl::InOpenGl;
 
   void load(const SystemInput& input) override {
     ribbons_.reset();
@@ -41,20 +39,8 @@ class InOpenGl : public Backend {
     given_ = true;
   }
 
-  void prepare_frame() override {
-    if (prepared_) return;
-    ++frames_;
-    if (!given_) keys_ = reference_keys(*input_, frames_).first;
-    prepared_ = true;
-  }
-  cl::FrameTiming frame() override {
-    prepare_frame();
-    prepared_ = false;
-    return still();
-  }
   cl::FrameTiming still() override { return {ribbons_->frame(keys_), {}, {}}; }
   void advance(int frames) override { frames_ += frames; }
-  int frames_simulated() const override { return frames_; }
   Picture read() override { return ribbons_->read(); }
   void dump(Hdf5File& file, const Scene& scene) override {
     strands::dump(file, *input_, scene, {keys_, reference_curves(*input_, keys_), {}, {}});
@@ -64,34 +50,29 @@ class InOpenGl : public Backend {
     return other_filter_checks(against_reference,
                                compare(timed, reference_strands(*input_, keys_, input_->skin).picture));
   }
-  void describe(Description& row) override {
-    row.opengl_renderer = renderer_;
-    row.opengl_options = to_text(options_);
-  }
   std::string title() const override {
     return fmt::format("strands in OpenGL on {}, {}", renderer_, to_text(options_));
   }
-  std::string device() const override { return renderer_; }
 
  private:
-  std::string renderer_;
-  RibbonOptions options_;
-  std::shared_ptr<const StrandInput> input_;
+  void simulate() override {
+    ++frames_;
+    if (!given_) keys_ = reference_keys(*input_, frames_).first;
+  }
+
   std::optional<Ribbons> ribbons_;
   std::vector<KeyStrand> keys_;
   bool given_ = false;  ///< show() gave the keys
-  int frames_ = 0;
-  bool prepared_ = false;  ///< the next frame() only draws
 };
 
 }  // namespace
 
 void show_keys(Backend& opengl, std::vector<KeyStrand> keys) {
-  dynamic_cast<InOpenGl&>(opengl).show(std::move(keys));
+  dynamic_cast<StrandsInOpenGl&>(opengl).show(std::move(keys));
 }
 
 std::unique_ptr<Backend> open_opengl(const BackendOptions& options, const Scene&) {
-  return std::make_unique<InOpenGl>(options);
+  return std::make_unique<StrandsInOpenGl>(ribbon_options(options.opengl));
 }
 
 }  // namespace pelage::strands

@@ -1,7 +1,6 @@
 // Strands at rest as ray-cast cones (harness/strands/raycast).
 #include "harness/error.hpp"
 #include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/skin.hpp"
 #include "harness/system/backend_parts.hpp"
 #include "harness/system/strands/backends.hpp"
 

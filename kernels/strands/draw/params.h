@@ -74,7 +74,7 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #endif
 
 // 1: the kernels draw the opacity map of the key light instead of a picture. The rows of the camera matrix then are those of
-// the light's view (harness/strands/drawing/light_view.hpp), and W is the depth. Because the projection is parallel, X and Y
+// the light's view (harness/strands/drawing/drawing.hpp), and W is the depth. Because the projection is parallel, X and Y
 // are not divided by W. A texel has two floats: the least depth of its fragments in R, and their transmittance 1 - A.
 #ifndef STRAND_MAP
 #define STRAND_MAP 0

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "harness/cl/timer.hpp"
+#include "harness/cl/measure.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/spring_stage.hpp"

@@ -1,7 +1,5 @@
-// A baseline is another implementation of the solvers: serial C++ loops or the library Eigen. This file tests
-// the backward Euler step of every baseline. A backward Euler step solves a linear system for the change of
-// the velocities. The test computes the matrix of this system by finite differences of the reference's
-// forces. The baseline's change of the velocities must solve the system.
+// Tests the backward Euler step of every baseline, which solves a linear system for the change of the
+// velocities. The test computes the matrix of this system by finite differences of the reference's forces.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -21,13 +19,9 @@ TEST(BaselineStep, SolvesTheSystemOfFiniteDifferences) {
     const SpringNetwork topology = build(kind, sphere(0), fur_length);
     const reference::State state = stretched(topology);
     const Step step = step_by_differences({topology, d}, state, 0);
-    Motions start;
-    std::vector<glm::dvec3> before;
-    for (std::size_t i = 0; i < topology.sticks(); ++i) {
-      start.offset.emplace_back(state.position[topology.top(i)] - state.position[i]);
-      start.speed.emplace_back(state.velocity[topology.top(i)]);
-      before.emplace_back(start.speed.back());
-    }
+    const std::vector<glm::dvec3> offsets = reference::offsets(topology, state),
+                                  before = speeds_of(topology, state);
+    const Motions start{{offsets.begin(), offsets.end()}, {before.begin(), before.end()}};
     const auto rivals = solver_rivals(topology, d);
     EXPECT_GE(rivals.size(), 2u) << kind;
     for (const auto& [name, rival, threads] : rivals) {

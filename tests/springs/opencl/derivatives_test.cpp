@@ -1,7 +1,6 @@
 // Tests the backward Euler step of the kernels, which solves a linear system for the change of the
-// velocities. The test computes the matrix of this system by finite differences of the reference's forces.
-// The kernels' change of the velocities must solve the system. This comparison does not use the reference's
-// formulas of the derivatives.
+// velocities. The test computes the matrix of this system by finite differences of the reference's forces,
+// without the reference's formulas of the derivatives.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -10,7 +9,6 @@
 #include "tests/springs/opencl/shim.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/differences.hpp"
-#include "tests/springs/support/kind_name.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
@@ -28,8 +26,7 @@ TEST_P(KernelStep, SolvesTheSystemOfFiniteDifferences) {
   const reference::State state = stretched(topology);
   const Step step = step_by_differences({topology, d}, state, 0);
   const std::vector<glm::dvec3> offsets = reference::offsets(topology, state),
-                                before(state.velocity.begin() + std::ptrdiff_t(topology.sticks()),
-                                       state.velocity.end());
+                                before = speeds_of(topology, state);
   for (const bool whole : {false, true}) {
     if (whole && !GetParam().shared_edges()) continue;
     Shim shim(topology, d);
@@ -55,25 +52,15 @@ TEST_P(KernelStep, WithTheFullJacobianIsThatOfTheReferenceOnly) {
   d.edge_damping = 0.05f;
   d.full_jacobian = true;
   EXPECT_THROW(MassSprings(queue(), topology, d), InputError);
-  reference::State crumpled = reference::rest(topology);
-  for (std::size_t i = 0; i < topology.sticks(); ++i) {
-    const double a = double(i);
-    crumpled.position[topology.top(i)] +=
-        glm::dvec3(glm::vec3(0.03 * std::sin(a), 0.03 * std::cos(2 * a), 0.03 * std::sin(3 * a)));
-    crumpled.velocity[topology.top(i)] = glm::dvec3(glm::vec3(std::cos(a), std::sin(5 * a), 0.3));
-  }
-  for (const reference::State& state : {crumpled, stretched(topology)}) {
+  for (const reference::State& state : {crumpled(topology), stretched(topology)}) {
     const Step step = full_step_by_differences({topology, d}, state, 0);
-    const std::vector<glm::dvec3> before(state.velocity.begin() + std::ptrdiff_t(topology.sticks()),
-                                         state.velocity.end());
     const reference::State next = reference::step({topology, d}, state, 0);
-    EXPECT_LT(residual_of(step, before,
-                          {next.velocity.begin() + std::ptrdiff_t(topology.sticks()), next.velocity.end()}),
+    EXPECT_LT(residual_of(step, speeds_of(topology, state), speeds_of(topology, next)),
               tolerance::float_records);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds.begin(), kinds.end()), test::kind_name);
+INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds.begin(), kinds.end()), kind_name);
 
 }  // namespace
 }  // namespace pelage::springs

@@ -9,7 +9,6 @@
 #include "harness/springs/reference/reference.hpp"
 #include "tests/springs/opencl/shim.hpp"
 #include "tests/springs/support/device.hpp"
-#include "tests/springs/support/kind_name.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
@@ -21,6 +20,40 @@ using namespace test;
 constexpr double length = fur_length;
 
 struct PropertiesOf : testing::TestWithParam<Kind> {};
+
+// A system without return force (Eq. 5 of paper B), damping and drag, which is conservative. Each top starts
+// with another velocity.
+struct Conservative {
+  SpringNetwork topology;
+  Dynamics d;
+  reference::State state = reference::rest(topology);
+  double start;
+  Shim shim;
+
+  Conservative(SpringNetwork network, Solver solver, float step)
+      : topology(std::move(network)), d(without_losses(solver, step)), start(0), shim(topology, d) {
+    std::vector<glm::dvec3> speeds(topology.sticks());
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+      speeds[i] = glm::dvec3(0.3 * std::sin(double(i)), 0.2, 0.3 * std::cos(double(i)));
+    shim.set(reference::offsets(topology, state), speeds);
+    start = energy();
+  }
+  static Dynamics without_losses(Solver solver, float step) {
+    Dynamics d = still(solver);
+    d.return_weight = d.damping = d.edge_damping = 0;
+    d.step = step;
+    return d;
+  }
+  double energy() {
+    const auto q = shim.offsets(), v = shim.speeds();
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      state.position[topology.top(i)] = state.position[i] + q[i];
+      state.velocity[topology.top(i)] = v[i];
+    }
+    return reference::energy({topology, d}, state);
+  }
+};
+
 // Simulates 0.0625 s with each solver, once with a coarse time step and once with half this time step. The
 // error is the difference from RK4 with 2048 steps. Halving the time step must divide the error by 2^order,
 // where `order` is the order of the solver.
@@ -65,71 +98,36 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
   }
 }
 
-// If there is no return force (Eq. 5 of paper B), no damping and no drag, the system is conservative.
 // Semi-implicit Euler is symplectic and keeps the energy within a band at all times.
 TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
-  const SpringNetwork topology = build(GetParam(), square(1), fur_length);
-  Dynamics d = still(Solver::semi_implicit_euler);
-  d.return_weight = d.damping = d.edge_damping = 0;
-  d.step = 1e-3f;
-  reference::State state = reference::rest(topology);
-  std::vector<glm::dvec3> offsets = reference::offsets(topology, state), speeds(topology.sticks());
-  for (std::size_t i = 0; i < topology.sticks(); ++i)
-    speeds[i] = glm::dvec3(0.3 * std::sin(double(i)), 0.2, 0.3 * std::cos(double(i)));
-  const auto energy_of = [&](const std::vector<glm::dvec3>& q, const std::vector<glm::dvec3>& v) {
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      state.position[topology.top(i)] = state.position[i] + q[i];
-      state.velocity[topology.top(i)] = v[i];
-    }
-    return reference::energy({topology, d}, state);
-  };
-  const double start = energy_of(offsets, speeds);
-  ASSERT_GT(start, 1e-5);
-  Shim shim(topology, d);
-  shim.set(offsets, speeds);
-  double least = start, most = start, early = 0, late = 0;
+  Conservative fur(build(GetParam(), square(1), fur_length), Solver::semi_implicit_euler, 1e-3f);
+  ASSERT_GT(fur.start, 1e-5);
+  double least = fur.start, most = fur.start, early = 0, late = 0;
   for (int i = 0; i < 1000; ++i) {
-    shim.advance(100);
-    const double energy = energy_of(shim.offsets(), shim.speeds());
+    fur.shim.advance(100);
+    const double energy = fur.energy();
     least = std::min(least, energy), most = std::max(most, energy);
     (i < 500 ? early : late) += energy / 500;
   }
   std::printf("%s: energy from %.3f to %.3f of the start's; mean of the halves %.4f and %.4f\n",
-              name(GetParam()).data(), least / start, most / start, early / start, late / start);
-  EXPECT_GT(least, 0.8 * start);
-  EXPECT_LT(most, 1.2 * start);
+              name(GetParam()).data(), least / fur.start, most / fur.start, early / fur.start,
+              late / fur.start);
+  EXPECT_GT(least, 0.8 * fur.start);
+  EXPECT_LT(most, 1.2 * fur.start);
   EXPECT_NEAR(late / early, 1, 0.02) << "no drift";
 }
 
-// If there is no return force (Eq. 5 of paper B), no damping and no drag, backward Euler must never increase
-// the energy.
+// Backward Euler must never increase the energy.
 TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
-  const SpringNetwork topology = build(GetParam(), square(2), fur_length);
-  Dynamics d = still(Solver::backward_euler);
-  d.return_weight = d.damping = d.edge_damping = 0;
-  d.step = 1.0f / 60;
-  reference::System system{topology, d};
-  reference::State state = reference::rest(topology);
-  for (std::size_t i = 0; i < topology.sticks(); ++i)
-    state.velocity[topology.top(i)] = {0.3 * std::sin(double(i)), 0.2, 0.3 * std::cos(double(i))};
-  const double start = reference::energy(system, state);
-  std::vector<glm::dvec3> v(topology.sticks());
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = state.velocity[topology.top(i)];
-  Shim shim(topology, d);
-  shim.set(reference::offsets(topology, state), v);
-  double last = start;
+  Conservative fur(build(GetParam(), square(2), fur_length), Solver::backward_euler, 1.0f / 60);
+  double last = fur.start;
   for (int i = 0; i < 60; ++i) {
-    shim.advance(5);
-    const auto q = shim.offsets(), speed = shim.speeds();
-    for (std::size_t k = 0; k < q.size(); ++k) {
-      state.position[topology.top(k)] = state.position[k] + q[k];
-      state.velocity[topology.top(k)] = speed[k];
-    }
-    const double energy = reference::energy(system, state);
+    fur.shim.advance(5);
+    const double energy = fur.energy();
     EXPECT_LE(energy, last * (1 + 1e-6)) << i;
     last = energy;
   }
-  EXPECT_LT(last, 0.5 * start);
+  EXPECT_LT(last, 0.5 * fur.start);
 }
 
 // A stick is tilted and released. The return force (Eq. 5 of paper B) moves the stick back to its normal, and
@@ -190,7 +188,7 @@ TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), test::kind_name);
+INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), kind_name);
 
 TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);

@@ -14,14 +14,12 @@ struct Memory {
   std::vector<Moment> moments;
   const Layout* layout = nullptr;
   std::vector<double> sites, push, sides, rest;  ///< the float arrays of the layout, converted to double
-  /// `offset` has the top minus the base of each stick, and `speed` the velocity of each top mass. Both are
-  /// stored in columns x, y and z. On shared prisms (adjacent prisms share their sticks), `speed` instead has
-  /// one row of four values per stick.
+  /// `offset` has the top minus the base of each stick, and `speed` the velocity of each top. Both are stored
+  /// in columns x, y and z, except `speed` of prisms, which has one row of four values per stick.
   std::vector<double> offset, speed;
   std::vector<int> diverged_at, first;
-  /// Only shared prisms use these arrays. Each array has one row of four values per stick. `tip` has the
-  /// position of the top mass, `root` the position of the stick's base, and `reach` the difference of these
-  /// positions. `change` has the change of the top mass's velocity in the previous step.
+  /// Only prisms use these arrays, with one row of four values per stick: the positions of top and base,
+  /// their difference, and the change of the top's velocity in the previous step.
   std::vector<double> tip, root, reach, change;
 };
 
@@ -34,17 +32,16 @@ struct BlockKernels {
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();
 
-/// Runs the kernel of `solver` for all work-items of one launch. Together, the work-items compute all sticks
-/// or all triangles.
+/// Runs the kernel of `solver` for all work-items of one launch.
 void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
-/// prism_substep and gradients_substep compute the substep with the index `substep` of a launch on shared
-/// prisms (adjacent prisms share their sticks). gradients_substep uses backward Euler. It iterates conjugate
-/// gradients until the relative residual is at most `residual`, and returns the number of iterations.
+/// prism_substep and gradients_substep compute the substep with the index `substep` of a launch on prisms.
+/// gradients_substep uses backward Euler. It iterates conjugate gradients until the relative residual is at
+/// most `residual`, and returns the number of iterations.
 void prism_substep(Solver solver, Memory& memory, int substep);
 int gradients_substep(Memory& memory, int substep, double residual);
-/// prisms_whole and gradients_whole compute memory.params.substeps substeps on shared prisms in a single
-/// work-item. They return the number of conjugate gradient iterations (0 for explicit solvers).
+/// prisms_whole and gradients_whole compute memory.params.substeps substeps on prisms in a single work-item.
+/// They return the number of conjugate gradient iterations (0 for explicit solvers).
 int prisms_whole(Solver solver, Memory& memory);
 int gradients_whole(Memory& memory, double residual);
 
@@ -52,8 +49,7 @@ class Shim {
  public:
   Shim(const SpringNetwork& topology, const Dynamics& dynamics);
   void push(const std::vector<glm::vec3>& force);
-  /// Advances by `substeps` steps. If `whole` is set, one work-item computes all of them (shared prisms
-  /// only).
+  /// Advances by `substeps` steps. If `whole` is set, one work-item computes all of them (prisms only).
   void advance(int substeps, bool whole = false);
   std::vector<glm::dvec3> offsets() const { return by_stick(memory_.offset, false); }
   std::vector<glm::dvec3> speeds() const { return by_stick(memory_.speed, kind_ == Kind::prisms); }

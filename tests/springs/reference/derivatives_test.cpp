@@ -2,6 +2,7 @@
 // reference's forces.
 #include <gtest/gtest.h>
 
+#include "tests/springs/support/cases.hpp"
 #include "tests/springs/support/differences.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
@@ -15,17 +16,6 @@ Matrix matrix_of(const reference::Derivatives& found, bool by_velocity) {
   const auto size = Eigen::Index(found.size);
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   return Eigen::Map<const Rows>((by_velocity ? found.by_velocity : found.by_position).data(), size, size);
-}
-
-// Returns a state in which the sticks are bent, some springs are stretched and others are compressed.
-reference::State crumpled(const SpringNetwork& topology) {
-  reference::State state = reference::rest(topology);
-  for (std::size_t i = 0; i < topology.sticks(); ++i) {
-    const double a = double(i);
-    state.position[topology.top(i)] += 0.03 * glm::dvec3(std::sin(a), std::cos(2 * a), std::sin(3 * a));
-    state.velocity[topology.top(i)] = {std::cos(a), std::sin(5 * a), 0.3};
-  }
-  return state;
 }
 
 struct Derivatives : testing::TestWithParam<Kind> {};
@@ -58,11 +48,7 @@ TEST_P(Derivatives, OfAPrunedStepAreTheFiniteDifferencesOnStretchedSprings) {
   const reference::System system{topology, d};
   const Step step = step_by_differences(system, state, 0);
   const reference::State next = reference::step(system, state, 0);
-  const auto speeds = [&](const reference::State& of) {
-    return std::vector<glm::dvec3>(of.velocity.begin() + std::ptrdiff_t(topology.sticks()),
-                                   of.velocity.end());
-  };
-  EXPECT_LT(residual_of(step, speeds(state), speeds(next)), 1e-8);
+  EXPECT_LT(residual_of(step, speeds_of(topology, state), speeds_of(topology, next)), 1e-8);
   // By default, the reference omits some terms of the derivatives. The remaining derivatives with respect to
   // the positions form a symmetric matrix.
   const Matrix j = matrix_of(reference::derivatives(system, state, d.step), false);
@@ -93,11 +79,6 @@ TEST(DerivativesOfAStick, KeepOnlyTheForceAlongACompressedSpring) {
   }
 }
 
-std::string kind_name(const testing::TestParamInfo<Kind>& given) {
-  std::string text(name(given.param));
-  std::replace(text.begin(), text.end(), '-', '_');
-  return text;
-}
 INSTANTIATE_TEST_SUITE_P(Kinds, Derivatives, testing::ValuesIn(kinds.begin(), kinds.end()), kind_name);
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include <numbers>
 
 #include "harness/compare/tolerances.hpp"
+#include "tests/springs/support/cases.hpp"
+#include "tests/springs/support/differences.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
@@ -109,17 +111,11 @@ TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
     Dynamics d = lively(Solver::rk4);
     d.step = 1e-3f;
     const double until = 400 * double(d.step);
-    reference::State state = reference::rest(topology);
-    for (int i = 0; i < 400; ++i) state = reference::step({topology, d}, state, i);
-    const auto q = reference::offsets(topology, state);
+    const reference::State rest = reference::rest(topology);
+    const auto q = reference::offsets(topology, reference::after({topology, d}, rest, 0, 400));
     const auto world = offsets_by_the_world(topology, d, until, 1000);
-    double moved = 0, worst = 0;
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      moved = std::max(moved, glm::distance(q[i], glm::dvec3(fur_length * topology.normal[i])));
-      worst = std::max(worst, glm::distance(q[i], world[i]));
-    }
-    EXPECT_GT(moved, 0.2 * double(fur_length));
-    EXPECT_LT(worst, tolerance::reference_in_world * double(fur_length)) << name(kind);
+    EXPECT_GT(largest_difference(q, reference::offsets(topology, rest)), 0.2 * double(fur_length));
+    EXPECT_LT(largest_difference(q, world), tolerance::reference_in_world * double(fur_length)) << kind;
   }
 }
 
@@ -166,15 +162,10 @@ TEST(ReferenceTopology, SpringsPushBothEnds) {
   const SpringNetwork topology = build(Kind::prisms, sphere(1), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.return_weight = 0;
-  reference::State state = reference::rest(topology);
-  for (std::size_t i = topology.sticks(); i < state.position.size(); ++i) {
-    state.position[i] +=
-        0.02 * glm::dvec3(std::sin(double(i)), std::cos(2.0 * double(i)), std::sin(3.0 * double(i)));
-    state.velocity[i] = glm::dvec3(std::cos(double(i)), std::sin(5.0 * double(i)), 0.3);
-  }
   glm::dvec3 sum(0);
   double size = 0;
-  for (const glm::dvec3& f : reference::forces({topology, d}, state, 0)) sum += f, size += glm::length(f);
+  for (const glm::dvec3& f : reference::forces({topology, d}, crumpled(topology), 0))
+    sum += f, size += glm::length(f);
   EXPECT_GT(size, 1);
   EXPECT_LT(glm::length(sum), 1e-12 * size);
 }
@@ -186,10 +177,7 @@ TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
   Dynamics d = still(Solver::explicit_euler);
   d.return_weight = d.damping = d.edge_damping = 0;
   d.gravity = {1, -9.81f, 2};
-  reference::State state = reference::rest(topology);
-  for (std::size_t i = topology.sticks(); i < state.position.size(); ++i)
-    state.position[i] +=
-        0.02 * glm::dvec3(std::sin(double(i)), std::cos(2.0 * double(i)), std::sin(3.0 * double(i)));
+  const reference::State state = crumpled(topology);
   const reference::System system{topology, d};
   const auto f = reference::forces(system, state, 0);
   for (std::size_t i = topology.sticks(); i < state.position.size(); ++i)
@@ -216,7 +204,7 @@ TEST(ReferenceTopology, TotalEnergyIsKeptWithoutFriction) {
     reference::State state = reference::rest(topology);
     const double unit = double(topology.sticks()) * double(d.mass) * 9.81 * double(fur_length);
     const double total = reference::total_energy(system, state), own = reference::energy(system, state);
-    for (int i = 0; i < 1000; ++i) state = reference::step(system, state, i);
+    state = reference::after(system, state, 0, 1000);
     EXPECT_LT(std::abs(reference::total_energy(system, state) - total), 1e-4 * unit) << kind;
     EXPECT_GT(std::abs(reference::energy(system, state) - own), 0.01 * unit) << kind;
   }

@@ -1,11 +1,10 @@
 // Tests longest_step(), which finds the longest stable time step.
-#include "harness/springs/studies/limit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
 #include "harness/springs/reference/reference.hpp"
+#include "harness/springs/studies/study.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
@@ -14,14 +13,6 @@ namespace pelage::springs {
 namespace {
 
 using namespace test;
-
-// Returns the dynamics of experiments/banisch2006-longest-step.toml with the spring constant k = 10 N/m.
-Dynamics windy_with(Solver solver) {
-  Dynamics d;
-  d.solver = solver;
-  d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 1};
-  return d;
-}
 
 // Simulates two seconds with the reference. Returns the greatest length of a stick after any step, in rest
 // lengths.
@@ -38,15 +29,14 @@ double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, doubl
   return most / double(topology.length);
 }
 
-// The device compares the lengths of the sticks with a limit. The result must not depend on how often the
-// host reads the outcome of this comparison. An older version compared the lengths only after every half
-// second of simulated time. It therefore also accepted time steps with which a stick was too long between two
-// comparisons.
+// The result must not depend on how often the host reads the outcome of the device's comparison. An older
+// version compared the lengths only after every half second of simulated time, and accepted time steps with
+// which a stick was too long between two comparisons.
 TEST(LongestStep, DoesNotDependOnTheInterval) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind& kind : {Kind::sticks, Kind::prisms, Kind::separable_prisms}) {
     const SpringNetwork topology = build(kind, *mesh, fur_length);
-    const Dynamics d = windy_with(Solver::backward_euler);
+    const Dynamics d = windy(Solver::backward_euler);
     const Limit usual = longest_step(queue(), topology, d),
                 half = longest_step(queue(), topology, d, 1.0 / 120),
                 twice = longest_step(queue(), topology, d, 1.0 / 30),
@@ -74,7 +64,7 @@ TEST(LongestStep, IsTheOneOfTheReference) {
   for (const Kind& kind : {Kind::sticks, Kind::prisms})
     for (const Solver& solver : {Solver::explicit_euler, Solver::backward_euler}) {
       const SpringNetwork topology = build(kind, mesh, fur_length);
-      const Dynamics d = windy_with(solver);
+      const Dynamics d = windy(solver);
       const Limit found = longest_step(queue(), topology, d);
       EXPECT_LT(longest_by_the_reference(topology, d, 0.97 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
@@ -86,7 +76,7 @@ TEST(LongestStep, IsTheOneOfTheReference) {
 
 TEST(LongestStep, IsZeroIfNoStepSuffices) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
-  Dynamics d = windy_with(Solver::semi_implicit_euler);
+  Dynamics d = windy(Solver::semi_implicit_euler);
   d.wind.speed = 1000;  // this wind stretches every stick to many rest lengths
   EXPECT_EQ(longest_step(queue(), topology, d).step, 0);
 }

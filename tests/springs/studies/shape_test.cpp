@@ -1,7 +1,5 @@
 // Compares the lean of fur at rest and in wind with the angle at which the moments are in balance. Also tests
 // the gaps between the tops of the sticks at one surface point.
-#include "harness/springs/studies/shape.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +12,7 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
+#include "harness/springs/studies/study.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
@@ -118,9 +117,8 @@ Shape after_gusts(const Kind& kind, const Mesh& mesh, Gusts gusts) {
   return shape_of(topology, masses.offsets(queue()));
 }
 
-// Separable sticks are sticks that triangles do not share, so several sticks stand at one surface point. By
-// default, all sticks at one surface point have the same constants and the same gusts, so their motions are
-// bitwise equal. If the phase of the gusts differs between triangles, these sticks move apart.
+// Several separable sticks stand at one surface point. By default, they have the same constants and the same
+// gusts, so their motions are bitwise equal. If the gusts differ between triangles, they move apart.
 TEST(Gap, OfSeparableSticksNeedsGustsOfTheTriangles) {
   const Mesh mesh = sphere(1);
   const Shape alike = after_gusts(Kind::separable_sticks, mesh, Gusts::sticks);
@@ -144,8 +142,7 @@ TEST(Gap, IsTheOneOfTheReference) {
     const Dynamics d = lively(Solver::semi_implicit_euler);
     MassSprings masses(queue(), topology, d);
     masses.advance(queue(), 120);
-    reference::State state = reference::rest(topology);
-    for (int i = 0; i < 120; ++i) state = reference::step({topology, d}, state, i);
+    const reference::State state = reference::after({topology, d}, reference::rest(topology), 0, 120);
     EXPECT_LT(largest_difference(masses.offsets(queue()), reference::offsets(topology, state)),
               tolerance::stick_top * double(fur_length));
   }

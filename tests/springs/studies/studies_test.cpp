@@ -36,18 +36,12 @@ double metric(const Row& row, const std::string& name) {
   return row.metrics.contains(name) ? row.metrics.at(name).value : std::nan("");
 }
 
-Dynamics windy() {
-  Dynamics d;
-  d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 1};
-  return d;
-}
-
 TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
   const SpringNetwork topology = build(Kind::sticks, sphere(1), fur_length);
-  const Motions exact = exact_second(topology, windy(), 1e-4f);
+  const Motions exact = exact_second(topology, windy(default_solver), 1e-4f);
   const cl::Device device = queue().device();
   const double limit = 0.01;
-  const auto turns = solver_turns(device, {topology, windy(), {}, 0}, exact, limit);
+  const auto turns = solver_turns(device, {topology, windy(default_solver), {}, 0}, exact, limit);
   const Row row = row_of(*turns, 6);
   for (const Solver& solver : solvers) {
     const std::string name(solver.name);
@@ -59,7 +53,7 @@ TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
     EXPECT_EQ(row.metrics.contains(name + "_ratio"), solver != default_solver) << name;
     if (steps == 1) continue;
     // With one time step fewer per frame, the error must be above `limit`.
-    Dynamics d = windy();
+    Dynamics d = windy(default_solver);
     d.solver = solver;
     d.step = 1.0f / float(60 * (steps - 1));
     Row coarse;
@@ -78,13 +72,14 @@ TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
 
 TEST(EqualError, NamesASolverThatMissesTheLimit) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
-  const Motions exact = exact_second(topology, windy(), 1e-4f);
-  const auto turns = solver_turns(queue().device(), {topology, windy(), {}, 0}, exact, 3e-5);
+  const Motions exact = exact_second(topology, windy(default_solver), 1e-4f);
+  const auto turns = solver_turns(queue().device(), {topology, windy(default_solver), {}, 0}, exact, 3e-5);
   const Row row = row_of(*turns, 6);
   EXPECT_GT(metric(row, "explicit-euler_unreached_rms"), 3e-5);
   EXPECT_FALSE(row.metrics.contains("explicit-euler_steps_per_frame"));
   EXPECT_LE(metric(row, "rk4_error_rms"), 3e-5);
-  EXPECT_THROW(solver_turns(queue().device(), {topology, windy(), {}, 0}, exact, 0), InputError);
+  EXPECT_THROW(solver_turns(queue().device(), {topology, windy(default_solver), {}, 0}, exact, 0),
+               InputError);
 }
 
 TEST(Drift, IsTheErrorOfTheSolver) {
@@ -119,7 +114,7 @@ TEST(Drift, NeedsAConservativeScene) {
 
 TEST(JacobianStudy, TheFullJacobianHasTheSmallerError) {
   const SpringNetwork topology = build(Kind::prisms, sphere(1), fur_length);
-  Dynamics d = windy();
+  Dynamics d = windy(default_solver);
   const Motions exact = exact_second(topology, d, 1e-4f);
   d.step = 1.0f / 60;
   const Row row = row_of(*solver_jacobian(queue().device(), {topology, d, {}, 0}, exact), 1);

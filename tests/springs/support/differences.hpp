@@ -129,6 +129,24 @@ inline reference::State stretched(const SpringNetwork& topology) {
   return state;
 }
 
+/// Returns a state in which the sticks are bent, some springs are stretched and others are compressed.
+/// Positions and velocities are rounded as in stretched().
+inline reference::State crumpled(const SpringNetwork& topology) {
+  reference::State state = reference::rest(topology);
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
+    const double a = double(i);
+    state.position[topology.top(i)] +=
+        glm::dvec3(glm::vec3(0.03 * std::sin(a), 0.03 * std::cos(2 * a), 0.03 * std::sin(3 * a)));
+    state.velocity[topology.top(i)] = glm::dvec3(glm::vec3(std::cos(a), std::sin(5 * a), 0.3));
+  }
+  return state;
+}
+
+/// Returns the velocities of the top masses.
+inline std::vector<glm::dvec3> speeds_of(const SpringNetwork& topology, const reference::State& state) {
+  return {state.velocity.begin() + std::ptrdiff_t(topology.sticks()), state.velocity.end()};
+}
+
 /// Returns dynamics with the backward Euler solver and an object at rest. Springs and return force are so
 /// strong that every term of the derivatives changes the matrix of the system noticeably.
 inline Dynamics stiff_step() {

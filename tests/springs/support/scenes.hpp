@@ -17,6 +17,15 @@ inline Dynamics lively(Solver solver) {
   return d;
 }
 
+/// Returns dynamics in gusts, with an object at rest: those of experiments/banisch2006-longest-step.toml with
+/// the spring constant k = 10 N/m.
+inline Dynamics windy(Solver solver) {
+  Dynamics d;
+  d.solver = solver;
+  d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 1};
+  return d;
+}
+
 /// Returns dynamics with only springs and the return force (Eq. 5 of Banisch and Wuethrich 2006): no gravity,
 /// wind or drag, and an object at rest.
 inline Dynamics still(Solver solver) {

@@ -35,7 +35,7 @@ TEST(SkinMotion, RotatesDirectionsWithARigidSkin) {
   const auto mesh = sphere_mesh(12);
   const Skin skin = weld(*mesh);
   const std::vector<glm::vec3> rest = leaning(skin);
-  SkinMotion motion(*mesh, rest);
+  SkinMotion motion(*mesh, points_of(*mesh), rest);
   for (const double angle : {0.0, 0.4, 2.5}) {
     const SkinFrame f =
         motion.next(mapped(skin, [&](glm::dvec3 p) { return turned_y(p, angle) + glm::dvec3(1, 2, 3); }), T);
@@ -53,7 +53,7 @@ TEST(SkinMotion, FollowsATwistingCylinder) {
   const auto mesh = cylinder_mesh();
   const Skin skin = weld(*mesh);
   const std::vector<glm::vec3> rest = leaning(skin);
-  SkinMotion motion(*mesh, rest);
+  SkinMotion motion(*mesh, points_of(*mesh), rest);
   const SkinFrame f = motion.next(mapped(skin, [](glm::dvec3 p) { return turned_y(p, 0.5 * p.y); }), T);
   int checked = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -73,7 +73,7 @@ TEST(SkinMotion, FollowsATwistingCylinder) {
 TEST(SkinMotion, HasVelocityAndAccelerationOfAParabolaExactly) {
   const auto mesh = sphere_mesh(8);
   const Skin skin = weld(*mesh);
-  SkinMotion motion(*mesh, leaning(skin));
+  SkinMotion motion(*mesh, points_of(*mesh), leaning(skin));
   const glm::dvec3 v(0.5, -0.25, 1), a(2, -4, 1);
   SkinFrame f;
   for (int k = 0; k < 4; ++k) {
@@ -88,8 +88,9 @@ TEST(SkinMotion, HasVelocityAndAccelerationOfAParabolaExactly) {
 
 TEST(SkinMotion, RefusesWrongCounts) {
   const auto mesh = sphere_mesh(8);
-  EXPECT_THROW(SkinMotion(*mesh, {{0, 1, 0}}), InputError);
-  SkinMotion motion(*mesh, leaning(weld(*mesh)));
+  EXPECT_THROW(SkinMotion(*mesh, points_of(*mesh), {{0, 1, 0}}), InputError);
+  EXPECT_THROW(SkinMotion(*mesh, {mesh->welded}, {{0, 1, 0}}), InputError);
+  SkinMotion motion(*mesh, points_of(*mesh), leaning(weld(*mesh)));
   EXPECT_THROW(motion.next({{0, 1, 0}}, T), InputError);
   EXPECT_THROW(motion.next(mesh->position, 0), InputError);
 }

@@ -1,9 +1,8 @@
 // Tests the cache of grown fur.
-#include "harness/strands/groom/fur_cache.hpp"
-
 #include <fstream>
 
 #include "harness/hash.hpp"
+#include "harness/strands/groom/fur.hpp"
 #include "tests/strands/groom/groom.hpp"
 
 namespace pelage::strands {

@@ -1,9 +1,8 @@
 // Tests the order of fur layers in a view.
-#include "harness/strands/groom/layer_order.hpp"
-
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
+#include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {
 namespace {

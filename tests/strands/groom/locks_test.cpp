@@ -1,14 +1,13 @@
-// Tests locks with the reference's curves (harness/strands/reference/keyed.hpp), which share no code with
+// Tests locks with the reference's curves, which share no code with
 // locks.cpp.
-#include "harness/strands/groom/locks.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "harness/strands/reference/keyed.hpp"
+#include "harness/strands/groom/steps.hpp"
+#include "harness/strands/reference/drawing.hpp"
 
 namespace pelage::strands {
 namespace {

@@ -1,11 +1,11 @@
-// Tests the order of strands in memory (harness/strands/groom/prefix_order.hpp).
-#include "harness/strands/groom/prefix_order.hpp"
-
+// Tests the order of strands in memory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include "harness/strands/groom/steps.hpp"
 
 namespace pelage::strands {
 namespace {

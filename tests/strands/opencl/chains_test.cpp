@@ -10,8 +10,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
-#include "kernels/strands/draw/params.h"
-#include "tests/strands/support/strands.hpp"
+#include "tests/strands/support/step_errors.hpp"
 
 namespace pelage::strands::test {
 namespace {
@@ -70,22 +69,9 @@ TEST(Chains, KeepTheirLengthsAndStopsAndComeToRest) {
   EXPECT_GT(double(touching) / double(looks), 0.02);  // otherwise the stops are not tested
   std::printf("length %.1e, limits %.1e %.1e, joint %.1e, tip %.1e; %.1f%% touching\n", worst.length,
               worst.first, worst.second, worst.joint, worst.tip, 100 * double(touching) / double(looks));
-  d.motion = {};
-  d.wind.speed = 0;
-  strands.retarget(d);
-  for (int frame = 0; frame < 600; ++frame) strands.enqueue(queue(), 4);
-  const std::vector<ChainState> rest = strands.states(queue());
-  std::size_t moving = 0;
-  for (const ChainState& s : rest) {
-    const double l1 = double(d.first_segment), l2 = 1 - l1;
-    moving += glm::length(l1 * glm::dvec3(s.rate[0]) + l2 * glm::dvec3(s.rate[1])) > 0.01;
-  }
-  std::printf("%zu of %zu tips move\n", moving, rest.size());
-  EXPECT_LE(double(moving), 0.001 * double(rest.size()));
-}
-
-bool same(const ChainState& a, const ChainState& b) {
-  return a.direction == b.direction && a.rate == b.rate && a.stop == b.stop;
+  Chains calm = calmed(strands, chains, d);
+  for (int frame = 0; frame < 600; ++frame) calm.enqueue(queue(), 4);
+  EXPECT_LE(moving_part(d, calm.states(queue())), 0.001);
 }
 
 TEST(Chains, HaveTheSameBitsForAllLanesAndWorkItems) {
@@ -98,10 +84,8 @@ TEST(Chains, HaveTheSameBitsForAllLanesAndWorkItems) {
   const std::vector<ChainState> once = run({});
   for (const ChainOptions& options :
        {ChainOptions{}, ChainOptions{16, 1}, ChainOptions{16, 5}, ChainOptions{1, 0}, ChainOptions{1, 3}}) {
-    const std::vector<ChainState> again = run(options);
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < once.size(); ++i) different += !same(once[i], again[i]);
-    EXPECT_EQ(different, 0u) << options.lanes << " lanes, " << options.slices_per_item << " slices";
+    EXPECT_EQ(different(once, run(options)), 0u)
+        << options.lanes << " lanes, " << options.slices_per_item << " slices";
   }
 }
 
@@ -114,29 +98,34 @@ TEST(ChainKeys, AreTheStatesInTheFrameOfTheObject) {
     ChainOptions options;
     options.lanes = lanes;
     Chains strands(queue(), chains, d, options);
-    const cl::Buffer<float> keys(queue().device(), std::size_t(48) * KEY_RECORD);
     for (const int steps : {0, 25}) {
       if (steps > 0) strands.enqueue(queue(), steps);
-      strands.write_keys(queue(), keys);
-      const std::vector<float> records = keys.read(queue());
+      const std::vector<KeyStrand> keys = written_keys(strands, chains.size());
       const Frame frame(d, strands.steps());
       const std::vector<ChainState> states = strands.states(queue());
       for (std::size_t i = 0; i < chains.size(); ++i) {
-        const auto vector = [&](std::size_t first) {
-          const float* v = &records[i * KEY_RECORD + first];
-          return glm::vec3(v[0], v[1], v[2]);
-        };
-        EXPECT_EQ(vector(0), chains[i].root);
-        EXPECT_EQ(vector(3), chains[i].normal);
-        EXPECT_LT(glm::distance(frame.world(vector(6)), glm::dvec3(states[i].direction[0])), 1e-6);
-        EXPECT_LT(glm::distance(frame.world(vector(9)), glm::dvec3(states[i].direction[1])), 1e-6);
-        EXPECT_EQ(vector(12), chains[i].rest);
+        EXPECT_EQ(keys[i].root, chains[i].root);
+        EXPECT_EQ(keys[i].normal, chains[i].normal);
+        EXPECT_LT(glm::distance(frame.world(keys[i].first), glm::dvec3(states[i].direction[0])), 1e-6);
+        EXPECT_LT(glm::distance(frame.world(keys[i].second), glm::dvec3(states[i].direction[1])), 1e-6);
+        EXPECT_EQ(keys[i].rest, chains[i].rest);
       }
     }
   }
   Chains strands(queue(), chains, d);
   EXPECT_THROW(strands.write_keys(queue(), cl::Buffer<float>(queue().device(), std::size_t(37) * KEY_RECORD)),
                InputError);
+}
+
+// Rounding may make a stop (a limit of an angle, or the skin) act on a strand in only one of the two
+// computations. The rates of this strand then differ. Such strands are rare, so the worst 0.1% of the errors
+// have no limit.
+TEST(Steps, AgreeWithTheReference) {
+  const Errors errors = step_errors(sphere_of(2000), shaken());
+  errors.print();
+  EXPECT_LT(errors.most(errors.direction), tolerance::chain_direction);
+  EXPECT_LT(errors.most(errors.rate), tolerance::chain_rate);
+  EXPECT_GT(double(errors.touching), 0.02 * double(errors.rate.size()));
 }
 
 }  // namespace

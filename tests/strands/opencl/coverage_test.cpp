@@ -8,18 +8,16 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/opencl/strands.hpp"
+#include "tests/strands/support/strands.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::strands {
 namespace {
 
-double mean_coverage(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+double coverage_of(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
   Strands strands(cl::choose_device(""), prepare_strands(scene, mesh));
   strands.still();
-  double sum = 0;
-  const Picture picture = strands.read();
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
-  return sum / double(picture.pixel.size());
+  return test::mean_coverage(strands.read());
 }
 
 TEST(StrandCoverage, IsKeptIfStrandsAreLeftOut) {
@@ -32,10 +30,10 @@ TEST(StrandCoverage, IsKeptIfStrandsAreLeftOut) {
     scene.image.width = width;
     scene.image.height = height;
     scene.strands.fraction = 1;
-    const double all = mean_coverage(scene, mesh);
+    const double all = coverage_of(scene, mesh);
     for (const float fraction : {0.5f, 0.25f, 0.1f}) {
       scene.strands.fraction = fraction;
-      EXPECT_NEAR(mean_coverage(scene, mesh) / all, 1, tolerance::kept_coverage)
+      EXPECT_NEAR(coverage_of(scene, mesh) / all, 1, tolerance::kept_coverage)
           << width << " pixels, " << fraction;
     }
   }

@@ -6,12 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
-#include "harness/strands/opencl/drawer.hpp"
-#include "harness/strands/reference/drawing.hpp"
-#include "tests/strands/support/ball.hpp"
-#include "tests/strands/support/strands.hpp"
+#include "tests/strands/support/device_picture.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -23,24 +19,13 @@ Look look_of(float fraction) {
 }
 
 DrawingScene view_of(float fraction, glm::vec3 eye = {0.5f, 0.6f, 3.4f}) {
-  DrawingScene scene;
-  scene.camera = camera_at(160, 120, eye);
-  scene.range = depth_range(scene.camera, 1 + longest);
-  scene.first_segment = 0.45f;
+  DrawingScene scene = ball_scene(160, 120, eye);
   scene.look.fraction = fraction;
   return scene;
 }
 
-Drawer drawer_of(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
-  Drawer drawer(test::queue(), scene, ball.strands, ball.keys.size(), options);
-  const std::vector<float> records = key_records(ball.keys);
-  drawer.keys().write(test::queue(), records);
-  return drawer;
-}
-
-Picture picture_of(Drawer& drawer) {
-  drawer.enqueue(test::queue(), nullptr);
-  return drawer.read(test::queue());
+Drawer drawer_of(const DrawingScene& scene, const Ball& ball) {
+  return {test::queue(), scene, ball.strands, ball.keys.size()};
 }
 
 TEST(StrandDetail, TheWidthsOfThePrefixReplaceThoseOfAllStrands) {
@@ -75,17 +60,9 @@ TEST(StrandDetail, APrunedPictureIsThatOfTheReference) {
   const Ball ball(3000, 2);
   for (const Drawing mapping : {Drawing::item, Drawing::group})
     for (const float fraction : {0.9f, 0.31f}) {
-      DrawerOptions options;
-      options.mapping = mapping;
       DrawingScene scene = view_of(fraction);
       scene.look.width_factor = 0.8f;
-      Drawer drawer = drawer_of(scene, ball, options);
-      const std::vector<DrawnStrand> strands = reference::pruned(drawer.curves(test::queue()), scene.look);
-      const Picture picture = picture_of(drawer);
-      const std::vector<Entry> order = reference::drawing_order(scene.camera, scene.range, strands);
-      EXPECT_EQ(drawer.order(test::queue()), order);
-      const Agreement found = compare(picture, reference::draw(scene.camera, scene.look, strands, order));
-      EXPECT_TRUE(within(found)) << found.psnr << " dB";
+      expect_reference_picture(scene, draw_on_device(scene, ball, {.mapping = mapping}));
     }
 }
 
@@ -97,8 +74,7 @@ TEST(StrandDetail, AViewThatChangesGivesThePictureOfANewDrawer) {
     DrawingScene scene = view_of(fraction, {0.5f, 0.6f, distance});
     scene.look.segments = distance > 3 ? 4 : 6;
     drawer.set_view(scene);
-    Drawer fresh = drawer_of(scene, ball);
-    EXPECT_EQ(picture_of(drawer).pixel, picture_of(fresh).pixel) << fraction;
+    EXPECT_EQ(drawn_with(drawer, ball.keys).pixel, draw_on_device(scene, ball).picture.pixel) << fraction;
   }
 }
 
@@ -109,9 +85,9 @@ TEST(StrandDetail, AViewMayChangeTheRanksOfTheLayers) {
   for (const auto& [first, second] : {std::pair(0, 1), std::pair(1, 0), std::pair(0, 0), std::pair(3, 2)}) {
     scene.look.layers = {{first, 0, 1}, {second, 0, 1}};
     drawer.set_view(scene);
-    Drawer fresh = drawer_of(scene, ball);
-    EXPECT_EQ(picture_of(drawer).pixel, picture_of(fresh).pixel) << first << ", " << second;
-    EXPECT_EQ(drawer.order(test::queue()), fresh.order(test::queue())) << first << ", " << second;
+    const DevicePicture fresh = draw_on_device(scene, ball);
+    EXPECT_EQ(drawn_with(drawer, ball.keys).pixel, fresh.picture.pixel) << first << ", " << second;
+    EXPECT_EQ(drawer.order(test::queue()), fresh.order) << first << ", " << second;
   }
 }
 
@@ -153,9 +129,9 @@ TEST(StrandDetail, CoverageIsKept) {
   for (const auto& [fraction, distance] :
        {std::pair(0.5f, 5.0f), std::pair(0.25f, 7.0f), std::pair(0.1f, 12.0f)}) {
     drawer.set_view(view_of(1, {0, 0, distance}));
-    const double all = test::mean_coverage(picture_of(drawer));
+    const double all = test::mean_coverage(drawn_with(drawer, ball.keys));
     drawer.set_view(view_of(fraction, {0, 0, distance}));
-    EXPECT_NEAR(test::mean_coverage(picture_of(drawer)), all, 0.01 * all) << fraction;
+    EXPECT_NEAR(test::mean_coverage(drawn_with(drawer, ball.keys)), all, 0.01 * all) << fraction;
   }
 }
 

@@ -13,8 +13,7 @@
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/groom/fur.hpp"
-#include "harness/strands/opencl/drawer.hpp"
-#include "tests/strands/support/strands.hpp"
+#include "tests/strands/support/device_picture.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -38,19 +37,16 @@ Picture averaged(const Picture& fine) {
 class Views {
  public:
   Views(const Mesh& mesh, const Fur& fur, float reach, int scale)
-      : reach_(reach), spread_(spread_of(fur.strands, mesh)) {
+      : keys_(fur.keys), reach_(reach), spread_(spread_of(fur.strands, mesh)) {
     scene_.image.width = 320 * scale;
     scene_.image.height = 240 * scale;
     framed_ = make_camera(scene_.camera, scene_.image, mesh.position, reach_ - 1);
     drawer_.emplace(test::queue(), at(1, 1), fur.strands, fur.keys.size());
-    const std::vector<float> keys = key_records(fur.keys);
-    drawer_->keys().write(test::queue(), keys);
   }
 
   Picture draw(double distance, float fraction) {
     drawer_->set_view(at(distance, fraction));
-    drawer_->enqueue(test::queue(), nullptr);
-    return drawer_->read(test::queue());
+    return drawn_with(*drawer_, keys_);
   }
 
   double distance_of_width(double pixels) const {
@@ -78,6 +74,7 @@ class Views {
     return view;
   }
 
+  std::vector<KeyStrand> keys_;
   float reach_;
   Spread spread_;
   Scene scene_;

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "harness/strands/reference/keyed.hpp"
+#include "harness/strands/reference/drawing.hpp"
 #include "kernels/strands/draw/params.h"
 #include "tests/strands/support/ball.hpp"
 #include "tests/support/opencl_as_cpp.hpp"

@@ -8,45 +8,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "harness/compare/metrics.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
-#include "harness/strands/opencl/drawer.hpp"
-#include "harness/strands/reference/keyed.hpp"
-#include "tests/strands/support/ball.hpp"
+#include "tests/strands/support/device_picture.hpp"
 
 namespace pelage::strands {
 namespace {
 
-DrawingScene scene_of(int width, int height, glm::vec3 eye = {0.5f, 0.6f, 3.4f}, float near = 0.01f) {
-  DrawingScene scene;
-  scene.camera = camera_at(width, height, eye, near);
-  scene.range = depth_range(scene.camera, 1 + longest);
-  scene.first_segment = 0.45f;
-  return scene;
-}
-
-struct Result {
-  std::vector<DrawnStrand> curves;
-  std::vector<Entry> order;
-  Picture picture;
-};
-
-Result draw_on_device(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
-  static const cl::Queue queue(cl::choose_device(""));
-  Drawer drawer(queue, scene, ball.strands, ball.keys.size(), options);
-  const std::vector<float> records = key_records(ball.keys);
-  drawer.keys().write(queue, records);
-  Result result;
-  result.curves = drawer.curves(queue);
-  drawer.enqueue(queue, nullptr);
-  result.order = drawer.order(queue);
-  result.picture = drawer.read(queue);
-  return result;
-}
-
 void expect_reference(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
-  const Result device = draw_on_device(scene, ball, options);
+  const DevicePicture device = draw_on_device(scene, ball, options);
   for (std::size_t i = 0; i < ball.strands.size(); ++i) {
     const DrawnStrand expected = reference::between(ball.keys, ball.strands[i], scene.first_segment);
     // The angles of twist and curvature have 16 bits on the device.
@@ -55,40 +25,31 @@ void expect_reference(const DrawingScene& scene, const Ball& ball, const DrawerO
       ASSERT_LT(glm::length(device.curves[i].point[k] - expected.point[k]), limit) << i << ", point " << k;
     ASSERT_LT(glm::length(device.curves[i].normal - expected.normal), limit) << i;
   }
-  const std::vector<Entry> order = reference::drawing_order(scene.camera, scene.range, device.curves);
-  EXPECT_GT(order.size(), 50u);
-  ASSERT_EQ(device.order, order);
-  const Agreement found =
-      compare(device.picture, reference::draw(scene.camera, scene.look, device.curves, order));
-  EXPECT_TRUE(within(found)) << found.psnr << " dB, 99.9th percentile " << found.p999;
+  expect_reference_picture(scene, device);
 }
 
 TEST(StrandDrawing, IsThatOfTheReference) {
-  expect_reference(scene_of(333, 250), Ball(1000));
+  expect_reference(ball_scene(333, 250), Ball(1000));
 }
 
 TEST(StrandDrawing, ManyStrandsCloseTheirPixels) {
-  expect_reference(scene_of(200, 130), Ball(20000));
+  expect_reference(ball_scene(200, 130), Ball(20000));
 }
 
 // A strand is left out behind blocks whose pixels have a transmittance of at most 1/512. The blocks of tiles
 // of 128 pixels are twice as wide as those of other tiles, so other strands are left out.
 TEST(StrandDrawing, ClosedBlocksHideNoVisibleStrand) {
-  const DrawingScene scene = scene_of(200, 130);
+  const DrawingScene scene = ball_scene(200, 130);
   const Ball ball(60000);
-  DrawerOptions small, large;
-  small.mapping = large.mapping = Drawing::item;
-  small.tile = 64;
-  large.tile = 128;
-  const Picture a = draw_on_device(scene, ball, small).picture,
-                b = draw_on_device(scene, ball, large).picture;
+  const Picture a = draw_on_device(scene, ball, {.mapping = Drawing::item, .tile = 64}).picture,
+                b = draw_on_device(scene, ball, {.mapping = Drawing::item, .tile = 128}).picture;
   constexpr float most = 1.0f / 128;  // more than 1/512 of the brightest colour
   for (std::size_t i = 0; i < a.pixel.size(); ++i)
     for (int k = 0; k < 4; ++k) ASSERT_LT(std::abs(a.pixel[i][k] - b.pixel[i][k]), most) << "pixel " << i;
 }
 
 TEST(StrandDrawing, RanksComeBeforeDepths) {
-  DrawingScene scene = scene_of(200, 130);
+  DrawingScene scene = ball_scene(200, 130);
   scene.look.segments = 5;
   scene.look.exponent = 17.5f;
   expect_reference(scene, Ball(600, 3));
@@ -107,13 +68,11 @@ TEST(StrandDrawing, StrandsThatTurnBackAreBlendedFromTheirRoots) {
   }
   for (const Drawing mapping : {Drawing::item, Drawing::group})
     for (const int segments : {4, 6, 7}) {
-      DrawingScene scene = scene_of(333, 250);
+      DrawingScene scene = ball_scene(333, 250);
       scene.first_segment = 0.5f;
       scene.look.segments = segments;
       scene.look.opacity = 0.6f;
-      DrawerOptions options;
-      options.mapping = mapping;
-      const Result device = draw_on_device(scene, ball, options);
+      const DevicePicture device = draw_on_device(scene, ball, {.mapping = mapping});
       const auto folded = std::count_if(device.curves.begin(), device.curves.end(), [](const DrawnStrand& s) {
         return glm::distance(s.point[0], s.point[2]) < 1e-5f;
       });
@@ -142,40 +101,23 @@ Look bright() {
 }
 
 TEST(StrandDrawing, AllLightsAgreeWithTheReference) {
-  DrawingScene scene = scene_of(200, 130);
+  DrawingScene scene = ball_scene(200, 130);
   scene.look = bright();
   for (const int bands : {1, 2})
     for (const Drawing mapping : {Drawing::item, Drawing::group}) {
       scene.look.bands = bands;
-      DrawerOptions options;
-      options.mapping = mapping;
-      expect_reference(scene, Ball(800), options);
+      expect_reference(scene, Ball(800), {.mapping = mapping});
     }
-}
-
-// Processors without AVX-512 use eight lanes.
-TEST(StrandDrawing, IsThatOfTheReferenceWithEightLanes) {
-  DrawerOptions options;
-  options.mapping = Drawing::item;
-  options.tile_lanes = 8;
-  for (const int tile : {32, 64, 128}) {
-    options.tile = tile;
-    expect_reference(scene_of(200, 130), Ball(3000), options);
-  }
 }
 
 // Layers have ranks in another order than their numbers, and frames of their own.
 TEST(StrandDrawing, LayersHaveTheirRanksAndTheirFramesOfTheFilmStrip) {
-  DrawingScene scene = scene_of(200, 130);
+  DrawingScene scene = ball_scene(200, 130);
   scene.look = bright();
   scene.look.layers = {{2, 3, 2}, {0, 0, 1}, {1, 1, 3}};
   const Ball ball(800, 4);  // layer 3 has no entry: it has the rank 3 and all frames
-  for (const int lanes : {1, 16}) {
-    DrawerOptions options;
-    options.lanes = lanes;
-    expect_reference(scene, ball, options);
-  }
-  const Result first = draw_on_device(scene, ball);
+  for (const int lanes : {1, 16}) expect_reference(scene, ball, {.lanes = lanes});
+  const DevicePicture first = draw_on_device(scene, ball);
   const std::vector<int> ranks{2, 0, 1, 3};
   for (const Entry& entry : first.order)
     ASSERT_EQ(int(entry.key >> 24), ranks[ball.strands[entry.strand].layer]);
@@ -184,7 +126,7 @@ TEST(StrandDrawing, LayersHaveTheirRanksAndTheirFramesOfTheFilmStrip) {
 }
 
 TEST(StrandDrawing, FramesOutsideOfTheFilmStripAreRefused) {
-  DrawingScene scene = scene_of(100, 100);
+  DrawingScene scene = ball_scene(100, 100);
   scene.look = bright();
   for (const LayerLook wrong : {LayerLook{0, 5, 1}, LayerLook{0, 3, 3}, LayerLook{0, -1, 1},
                                 LayerLook{0, 0, 0}, LayerLook{256, 0, 1}}) {
@@ -202,12 +144,12 @@ TEST(StrandDrawing, StylesAgreeWithTheReference) {
     s.twist = 180 * part(random);
     s.curvature = 120 * part(random);
   }
-  expect_reference(scene_of(200, 130), ball);
+  expect_reference(ball_scene(200, 130), ball);
 }
 
 // The near plane cuts the fur in front of the sphere.
 DrawingScene cut_scene(float near) {
-  DrawingScene scene = scene_of(150, 120, {0.3f, 0.4f, 1.6f}, near);
+  DrawingScene scene = ball_scene(150, 120, {0.3f, 0.4f, 1.6f}, near);
   scene.look.segments = 7;
   return scene;
 }
@@ -228,61 +170,41 @@ TEST(StrandDrawing, StrandsAreCutAtTheNearPlane) {
   }
 }
 
-TEST(StrandDrawing, OneLaneAgreesWithTheReference) {
-  DrawerOptions options;
-  options.lanes = 1;
-  expect_reference(scene_of(200, 130), Ball(500), options);
-}
-
-TEST(StrandDrawing, SmallTilesAgreeWithTheReference) {
-  for (const int tile : {16, 32}) {
-    DrawerOptions options;
-    options.tile = tile;
-    expect_reference(scene_of(200, 130), Ball(500), options);
-  }
-}
-
-TEST(StrandDrawing, TheMappingForGpusAgreesWithTheReference) {
-  DrawerOptions options;
-  options.mapping = Drawing::group;
-  expect_reference(scene_of(200, 130), Ball(700, 2), options);
-  options.lanes = 1;
-  expect_reference(cut_scene(0.6f), Ball(2000), options);
+TEST(StrandDrawing, EveryLayoutAgreesWithTheReference) {
+  for (const DrawerOptions& options :
+       {DrawerOptions{.lanes = 1}, DrawerOptions{.tile = 16}, DrawerOptions{.tile = 32}})
+    expect_reference(ball_scene(200, 130), Ball(500), options);
+  // Processors without AVX-512 use eight lanes.
+  for (const int tile : {32, 64, 128})
+    expect_reference(ball_scene(200, 130), Ball(3000),
+                     {.mapping = Drawing::item, .tile_lanes = 8, .tile = tile});
+  expect_reference(ball_scene(200, 130), Ball(700, 2), {.mapping = Drawing::group});
+  expect_reference(cut_scene(0.6f), Ball(2000), {.mapping = Drawing::group, .lanes = 1});
 }
 
 TEST(StrandDrawing, APictureShowsTheKeysOfItsFrame) {
-  const cl::Queue queue(cl::choose_device(""));
-  const DrawingScene scene = scene_of(300, 200);
+  const DrawingScene scene = ball_scene(300, 200);
   const Ball ball(500);
   const std::vector<KeyStrand>& still = ball.keys;
   std::vector<KeyStrand> moved = still, away = still;
   for (KeyStrand& key : moved) key.first = glm::normalize(key.first + glm::vec3(0.3f, -0.4f, 0.2f));
   for (KeyStrand& key : away) key.root += glm::vec3(50, 0, 0);
   const auto fresh = [&](const std::vector<KeyStrand>& keys) {
-    Ball other = ball;
-    other.keys = keys;
-    return draw_on_device(scene, other).picture.pixel;
+    return draw_on_device(scene, ball.strands, keys).picture.pixel;
   };
-  Drawer drawer(queue, scene, ball.strands, ball.keys.size());
-  for (const std::vector<KeyStrand>& keys : {still, moved, away, moved, still}) {
-    const std::vector<float> records = key_records(keys);
-    drawer.keys().write(queue, records);
-    drawer.enqueue(queue, nullptr);
-    EXPECT_EQ(drawer.read(queue).pixel, fresh(keys));
-  }
+  Drawer drawer(test::queue(), scene, ball.strands, ball.keys.size());
+  for (const std::vector<KeyStrand>& keys : {still, moved, away, moved, still})
+    EXPECT_EQ(drawn_with(drawer, keys).pixel, fresh(keys));
   for (const glm::vec4& pixel : fresh(away)) ASSERT_EQ(pixel, glm::vec4(scene.look.background, 0));
 }
 
 TEST(StrandDrawing, BitsDoNotDependOnTheDivisionOfTheWork) {
   const Ball ball(3001, 2);
-  const DrawingScene scene = scene_of(300, 200);
-  const Result first = draw_on_device(scene, ball);
+  const DrawingScene scene = ball_scene(300, 200);
+  const DevicePicture first = draw_on_device(scene, ball);
   for (const int runs : {1, 7, 64})
     for (const int chunks : {1, 5, 33}) {
-      DrawerOptions options;
-      options.runs = runs;
-      options.chunks = chunks;
-      const Result other = draw_on_device(scene, ball, options);
+      const DevicePicture other = draw_on_device(scene, ball, {.runs = runs, .chunks = chunks});
       EXPECT_EQ(other.order, first.order);
       EXPECT_EQ(other.picture.pixel, first.picture.pixel) << runs << " runs, " << chunks << " chunks";
     }
@@ -290,7 +212,7 @@ TEST(StrandDrawing, BitsDoNotDependOnTheDivisionOfTheWork) {
 
 TEST(StrandDrawing, WrongValuesAreRefused) {
   const Ball ball(10);
-  DrawingScene scene = scene_of(100, 100);
+  DrawingScene scene = ball_scene(100, 100);
   for (const DrawerOptions& wrong : {DrawerOptions{.mapping = Drawing::item, .lanes = 3},
                                      DrawerOptions{.mapping = Drawing::item, .tile_lanes = 4},
                                      DrawerOptions{.mapping = Drawing::item, .runs = -1},
@@ -300,7 +222,7 @@ TEST(StrandDrawing, WrongValuesAreRefused) {
     EXPECT_THROW(draw_on_device(scene, ball, wrong), InputError);
   scene.first_segment = 1;
   EXPECT_THROW(draw_on_device(scene, ball), InputError);
-  scene = scene_of(100, 100);
+  scene = ball_scene(100, 100);
   Ball wrong(10);
   wrong.strands[3].key[1] = 30;
   EXPECT_THROW(draw_on_device(scene, wrong), InputError);

@@ -7,10 +7,9 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/prepare/scene_mesh.hpp"
-#include "harness/strands/drawing/light_view.hpp"
+#include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/groom/fur.hpp"
-#include "harness/strands/reference/keyed.hpp"
-#include "harness/strands/reference/opacity_map.hpp"
+#include "harness/strands/reference/drawing.hpp"
 
 namespace pelage::strands {
 namespace {

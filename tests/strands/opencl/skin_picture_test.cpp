@@ -3,10 +3,8 @@
 
 #include <cmath>
 
-#include "harness/compare/metrics.hpp"
-#include "harness/strands/opencl/drawer.hpp"
-#include "harness/strands/reference/drawing.hpp"
 #include "harness/strands/scene/strand_input.hpp"
+#include "tests/strands/support/device_picture.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::strands {
@@ -28,28 +26,17 @@ Scene scene_with(int strands) {
   return scene;
 }
 
-struct OnSkin {
-  Picture picture, expected;
-};
-
-OnSkin draw(const Scene& scene, const DrawerOptions& options = {}) {
-  static const cl::Queue queue(cl::choose_device(""));
-  const auto input = prepare_strands(scene, torus());
-  const DrawingScene drawing{input->camera, input->look, input->range, input->dynamics.first_segment,
-                             input->skin};
-  Drawer drawer(queue, drawing, input->fur.strands, input->fur.keys.size(), options);
-  const std::vector<float> records = key_records(input->fur.keys);
-  drawer.keys().write(queue, records);
-  const std::vector<DrawnStrand> curves = drawer.curves(queue);
-  drawer.enqueue(queue, nullptr);
-  return {drawer.read(queue),
-          reference::draw(input->camera, input->look, curves,
-                          reference::drawing_order(input->camera, input->range, curves), input->skin.get())};
+DrawingScene drawing_of(const StrandInput& input) {
+  return {input.camera, input.look, input.range, input.dynamics.first_segment, input.skin};
 }
 
-void expect_agreement(const OnSkin& result) {
-  const Agreement found = compare(result.picture, result.expected);
-  EXPECT_TRUE(within(found)) << found.psnr << " dB, 99.9th percentile " << found.p999;
+DevicePicture draw(const Scene& scene, const DrawerOptions& options = {}) {
+  const auto input = prepare_strands(scene, torus());
+  return draw_on_device(drawing_of(*input), input->fur.strands, input->fur.keys, options);
+}
+
+void expect_agreement(const Scene& scene, const DrawerOptions& options = {}) {
+  expect_reference_picture(drawing_of(*prepare_strands(scene, torus())), draw(scene, options));
 }
 
 double changed(const Picture& a, const Picture& b) {
@@ -59,11 +46,8 @@ double changed(const Picture& a, const Picture& b) {
 }
 
 TEST(SkinPicture, IsThatOfTheReference) {
-  for (const Drawing mapping : {Drawing::item, Drawing::group}) {
-    DrawerOptions options;
-    options.mapping = mapping;
-    expect_agreement(draw(scene_with(3000), options));
-  }
+  for (const Drawing mapping : {Drawing::item, Drawing::group})
+    expect_agreement(scene_with(3000), {.mapping = mapping});
 }
 
 TEST(SkinPicture, WithFewLightsIsThatOfTheReference) {
@@ -72,7 +56,7 @@ TEST(SkinPicture, WithFewLightsIsThatOfTheReference) {
   scene.strands.skin_shadow = 0;
   scene.strands.shadow = "none";
   scene.shading.lights.resize(1);
-  expect_agreement(draw(scene));
+  expect_agreement(scene);
 }
 
 TEST(SkinPicture, InsideTheObjectIsThatOfTheReference) {
@@ -80,53 +64,45 @@ TEST(SkinPicture, InsideTheObjectIsThatOfTheReference) {
   scene.camera.framed = false;
   scene.camera.eye = {0.62f, 0.1f, 0.1f};  // triangles cross the near plane
   scene.camera.target = {0, 0, 0.7f};
-  expect_agreement(draw(scene));
+  expect_agreement(scene);
 }
 
 TEST(SkinPicture, HidesStrandsAndIsOpaque) {
   Scene scene = scene_with(300);
-  const OnSkin with = draw(scene);
+  const Picture with = draw(scene).picture;
   scene.strands.skin = false;
-  const OnSkin without = draw(scene);
+  const Picture without = draw(scene).picture;
   std::size_t opaque = 0, opaque_without = 0;
-  for (const glm::vec4& pixel : with.picture.pixel) opaque += pixel.w == 1.0f;
-  for (const glm::vec4& pixel : without.picture.pixel) opaque_without += pixel.w == 1.0f;
-  EXPECT_GT(opaque, with.picture.pixel.size() / 10);
+  for (const glm::vec4& pixel : with.pixel) opaque += pixel.w == 1.0f;
+  for (const glm::vec4& pixel : without.pixel) opaque_without += pixel.w == 1.0f;
+  EXPECT_GT(opaque, with.pixel.size() / 10);
   EXPECT_LT(opaque_without, opaque / 10);
-  EXPECT_GT(changed(with.picture, without.picture), 0.1);
+  EXPECT_GT(changed(with, without), 0.1);
 }
 
 TEST(SkinPicture, HasEqualBitsInEveryRunAndDivision) {
   const Scene scene = scene_with(3000);
   const Picture first = draw(scene).picture;
-  for (const int chunks : {1, 7, 64}) {
-    DrawerOptions options;
-    options.chunks = chunks;
-    EXPECT_EQ(draw(scene, options).picture.pixel, first.pixel);
-  }
+  for (const int chunks : {1, 7, 64}) EXPECT_EQ(draw(scene, {.chunks = chunks}).picture.pixel, first.pixel);
 }
 
 // A frame after another camera must not keep blocks of the picture before it.
 TEST(SkinPicture, FollowsTheCamera) {
-  const cl::Queue queue(cl::choose_device(""));
   Scene scene = scene_with(400);
   const auto near = prepare_strands(scene, torus());
   scene.camera.framed = false;
   scene.camera.eye = {2.8f, 2.5f, 5.0f};
   const auto far = prepare_strands(scene, torus());
-  const auto drawing_of = [&](const StrandInput& input) {
-    return DrawingScene{input.camera, input.look, input.range, input.dynamics.first_segment, near->skin};
-  };
-  const std::vector<float> records = key_records(near->fur.keys);
+  DrawingScene shown = drawing_of(*far);
+  shown.skin = near->skin;
   const auto far_picture = [&](bool near_first) {
-    Drawer drawer(queue, drawing_of(near_first ? *near : *far), near->fur.strands, near->fur.keys.size());
-    drawer.keys().write(queue, records);
-    drawer.enqueue(queue, nullptr);
+    Drawer drawer(test::queue(), near_first ? drawing_of(*near) : shown, near->fur.strands,
+                  near->fur.keys.size());
     if (near_first) {
-      drawer.set_view(drawing_of(*far));
-      drawer.enqueue(queue, nullptr);
+      drawn_with(drawer, near->fur.keys);
+      drawer.set_view(shown);
     }
-    return drawer.read(queue);
+    return drawn_with(drawer, near->fur.keys);
   };
   EXPECT_EQ(far_picture(true).pixel, far_picture(false).pixel);
 }

@@ -7,7 +7,6 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 #include "harness/strands/opencl/chains.hpp"
-#include "kernels/strands/draw/params.h"
 #include "tests/strands/support/meshes.hpp"
 #include "tests/strands/support/step_errors.hpp"
 #include "tests/strands/support/strands.hpp"
@@ -83,7 +82,7 @@ struct Twist {
       chains.push_back(c);
       rest.push_back(c.rest);
     }
-    SkinMotion motion(*mesh, rest);
+    SkinMotion motion(*mesh, points_of(*mesh), rest);
     for (int k = 0; k <= 60; ++k) {
       const double twist = 1.5 * std::sin(2 * std::numbers::pi * k / 30.0);
       std::vector<glm::vec3> points;
@@ -138,12 +137,8 @@ TEST(ChainSkin, HasTheSameBitsForAllLanesAndLaunches) {
   const std::vector<ChainState> once = run({1, 0}, 4);
   for (const auto& [options, substeps] :
        {std::pair(ChainOptions{16, 1}, 4), std::pair(ChainOptions{16, 5}, 1)}) {
-    const std::vector<ChainState> again = run(options, substeps);
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < once.size(); ++i)
-      different += once[i].direction != again[i].direction || once[i].rate != again[i].rate ||
-                   once[i].stop != again[i].stop;
-    EXPECT_EQ(different, 0u) << options.lanes << " lanes, " << substeps << " substeps";
+    EXPECT_EQ(different(once, run(options, substeps)), 0u)
+        << options.lanes << " lanes, " << substeps << " substeps";
   }
 }
 
@@ -152,20 +147,14 @@ TEST(ChainSkin, KeyStrandsHaveTheRootsOfTheLastFrame) {
   Chains strands(queue(), t.chains, t.dynamics);
   strands.set_skin(queue(), t.frames[3], t.frames[4], 4);
   strands.enqueue(queue(), 4);
-  const cl::Buffer<float> keys(queue().device(), (t.chains.size() + 15) / 16 * 16 * KEY_RECORD);
-  strands.write_keys(queue(), keys);
-  const std::vector<float> records = keys.read(queue());
+  const std::vector<KeyStrand> keys = written_keys(strands, t.chains.size());
   const std::vector<ChainState> states = strands.states(queue());
   for (std::size_t i = 0; i < t.chains.size(); ++i) {
-    const auto vector = [&](std::size_t first) {
-      const float* v = &records[i * KEY_RECORD + first];
-      return glm::vec3(v[0], v[1], v[2]);
-    };
-    EXPECT_EQ(vector(0), t.frames[4].root[i]);
-    EXPECT_EQ(vector(3), t.frames[4].normal[i]);
-    EXPECT_EQ(vector(6), states[i].direction[0]);
-    EXPECT_EQ(vector(9), states[i].direction[1]);
-    EXPECT_EQ(vector(12), t.frames[4].rest[i]);
+    EXPECT_EQ(keys[i].root, t.frames[4].root[i]);
+    EXPECT_EQ(keys[i].normal, t.frames[4].normal[i]);
+    EXPECT_EQ(keys[i].first, states[i].direction[0]);
+    EXPECT_EQ(keys[i].second, states[i].direction[1]);
+    EXPECT_EQ(keys[i].rest, t.frames[4].rest[i]);
   }
 }
 

@@ -6,7 +6,6 @@
 #include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
 #include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/keyed.hpp"
 #include "tests/strands/support/ball.hpp"
 
 namespace pelage::strands {

@@ -1,5 +1,4 @@
 // Tests the reference of the opacity map (docs/strands.md, section Shadow).
-#include "harness/strands/reference/opacity_map.hpp"
 
 #include <gtest/gtest.h>
 

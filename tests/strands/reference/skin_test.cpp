@@ -1,13 +1,12 @@
 // Tests the reference of the skin (docs/strands.md, section Skin) against a plane and a ball, whose depths
 // and colours are known.
-#include "harness/strands/reference/skin.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "harness/strands/reference/drawing.hpp"
 #include "tests/strands/support/ball.hpp"
 
 namespace pelage::strands {

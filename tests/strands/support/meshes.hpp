@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
+#include <numeric>
 
 #include "harness/mesh/mesh.hpp"
 
@@ -40,6 +41,13 @@ std::shared_ptr<Mesh> tube(int rows, int columns, const Ring& ring) {
   mesh->welded = last + 1;
   for (std::uint32_t i = 0; i <= last; ++i) mesh->weld.push_back(i);
   return mesh;
+}
+
+/// All surface points, for SkinMotion.
+inline std::vector<std::uint32_t> points_of(const Mesh& mesh) {
+  std::vector<std::uint32_t> points(mesh.welded);
+  std::iota(points.begin(), points.end(), 0u);
+  return points;
 }
 
 /// The unit sphere.

@@ -1,4 +1,5 @@
-// The errors of single time steps of chains on a device, compared with the double-precision reference.
+// Comparisons of chains on a device: single time steps with the double-precision reference, energies, and
+// bits.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -6,8 +7,11 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "harness/strands/chain/chain.hpp"
+#include "harness/strands/drawing/keyed.hpp"
+#include "harness/strands/opencl/chains.hpp"
 #include "harness/strands/reference/chain.hpp"
+#include "kernels/strands/draw/params.h"
+#include "tests/strands/support/strands.hpp"
 
 namespace pelage::strands::test {
 
@@ -38,5 +42,79 @@ struct Errors {
                 100 * double(in_body) / double(rate.size()));
   }
 };
+
+/// Simulates strands on the device, and compares 20 single steps with the reference. Each step starts from a
+/// state of the device, so that errors do not accumulate. Before each of them are `pause` other steps.
+inline Errors step_errors(const std::vector<Chain>& chains, const ChainDynamics& dynamics, int pause = 37) {
+  Chains strands(queue(), chains, dynamics);
+  Errors errors;
+  for (int look = 0; look < 20; ++look) {
+    strands.enqueue(queue(), pause);
+    const std::vector<ChainState> before = strands.states(queue());
+    const long number = strands.steps();
+    strands.enqueue(queue(), 1);
+    const std::vector<ChainState> after = strands.states(queue());
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      errors.add(chains[i], after[i],
+                 reference::step(chains[i], dynamics, reference::in_double(before[i]), number));
+  }
+  return errors;
+}
+
+/// Returns strands in the states of `strands`, without wind and motion. Changes `dynamics` likewise.
+inline Chains calmed(const Chains& strands, const std::vector<Chain>& chains, ChainDynamics& dynamics) {
+  dynamics.motion = {};
+  dynamics.wind.speed = 0;
+  Chains calm(queue(), chains, dynamics);
+  calm.set(queue(), strands.states(queue()), strands.steps());
+  return calm;
+}
+
+/// The largest rise of a strand's energy between two successive calls of look(), in units of k1 + m g L.
+/// There is no wind and no motion.
+class EnergyRise {
+ public:
+  void look(const std::vector<Chain>& chains, const ChainDynamics& dynamics,
+            const std::vector<ChainState>& states) {
+    before_.resize(chains.size(), 1e300);
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      const double energy = reference::energy(chains[i], dynamics, reference::in_double(states[i]), 0);
+      const double unit = double(chains[i].stiffness_first) + 9.81 / double(chains[i].length);
+      largest_ = std::max(largest_, (energy - before_[i]) / unit);
+      before_[i] = energy;
+    }
+  }
+  double largest() const { return largest_; }
+
+ private:
+  std::vector<double> before_;
+  double largest_ = 0;
+};
+
+/// Returns the part of the strands whose tips move by more than 0.01 L/s.
+inline double moving_part(const ChainDynamics& dynamics, const std::vector<ChainState>& states) {
+  const double l1 = double(dynamics.first_segment), l2 = 1 - l1;
+  const auto moving = std::count_if(states.begin(), states.end(), [&](const ChainState& s) {
+    return glm::length(l1 * glm::dvec3(s.rate[0]) + l2 * glm::dvec3(s.rate[1])) > 0.01;
+  });
+  std::printf("%td of %zu tips move\n", moving, states.size());
+  return double(moving) / double(states.size());
+}
+
+/// Returns the number of strands whose states have different bits.
+inline std::size_t different(const std::vector<ChainState>& a, const std::vector<ChainState>& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    count += a[i].direction != b[i].direction || a[i].rate != b[i].rate || a[i].stop != b[i].stop ||
+             a[i].body != b[i].body;
+  return count;
+}
+
+/// Returns the present key strands of chains.
+inline std::vector<KeyStrand> written_keys(Chains& strands, std::size_t count) {
+  const cl::Buffer<float> keys(queue().device(), (count + 15) / 16 * 16 * KEY_RECORD);
+  strands.write_keys(queue(), keys);
+  return keys_of(keys.read(queue()), count);
+}
 
 }  // namespace pelage::strands::test
