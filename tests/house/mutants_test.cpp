@@ -45,8 +45,8 @@ TEST(MutantFiles, AreAllRunByCi) {
 TEST(MutantFiles, APlantedTextThatIsGoneIsSeen) {
   if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
   const fs::path data = fs::temp_directory_path() / fmt::format("pelage-mutants-{}.toml", ::getpid());
-  std::ofstream(data) << "[[mutant]]\nname = 'gone'\nwhy = ''\noriginal = 'no such text in any source'\n"
-                         "replacement = ''\ntarget = 'test_house'\nfilter = '*'\n";
+  std::ofstream(data) << "[[test_house]]\nname = 'gone'\nwhy = ''\noriginal = 'no such text in any source'\n"
+                         "replacement = ''\nfilter = '*'\n";
   EXPECT_NE(checked(data), 0);
   fs::remove(data);
 }
