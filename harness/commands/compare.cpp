@@ -155,35 +155,34 @@ int compare(const CompareOptions& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "Compare two sets of results, case by case");
-  command->add_option("a", options->a, "First set of results")->required()->type_name("A");
+  auto [command, options] = add_command<CompareOptions>(app, chosen, "compare",
+                                                        "Compare two sets of results, case by case", compare);
+  command.add_option("a", options.a, "First set of results")->required()->type_name("A");
   command
-      ->add_option("b", options->b,
-                   "Second set of results; without it, --by compares results of A with each other")
+      .add_option("b", options.b,
+                  "Second set of results; without it, --by compares results of A with each other")
       ->type_name("B");
-  command->add_option("--by", options->by, "Property in which the two results of a comparison may differ")
+  command.add_option("--by", options.by, "Property in which the two results of a comparison may differ")
       ->type_name("device|variant|axes.KEY");
   command
-      ->add_option("--phase", options->phase,
-                   "Phase whose times are compared, such as simulate or raster; frame: the time of the whole "
-                   "frame")
+      .add_option("--phase", options.phase,
+                  "Phase whose times are compared, such as simulate or raster; frame: the time of the whole "
+                  "frame")
       ->type_name("PHASE")
       ->capture_default_str();
   command
-      ->add_option("--threshold", options->threshold,
-                   "Largest relative change of a time that counts as no change")
+      .add_option("--threshold", options.threshold,
+                  "Largest relative change of a time that counts as no change")
       ->type_name("5%")
       ->capture_default_str();
   command
-      ->add_option("--alpha", options->alpha,
-                   "Largest probability that one or more of the verdicts are wrong (Holm's correction)")
+      .add_option("--alpha", options.alpha,
+                  "Largest probability that one or more of the verdicts are wrong (Holm's correction)")
       ->type_name("5%")
       ->capture_default_str();
-  command->add_flag("--fail-on-regression", options->fail_on_regression,
-                    "Exit with code 5 if a case is slower in B or has no time in B");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
+  command.add_flag("--fail-on-regression", options.fail_on_regression,
+                   "Exit with code 5 if a case is slower in B or has no time in B");
+  command.add_flag("--json", options.json, "Print JSON");
 }
 
 }  // namespace pelage

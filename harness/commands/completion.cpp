@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <set>
-#include <string_view>
 #include <vector>
 
 #include "harness/commands/commands.hpp"

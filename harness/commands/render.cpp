@@ -32,17 +32,15 @@ int render(const RenderOptions& options) {
 }  // namespace
 
 void add_render(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "Draw one picture of a scene");
-  add_scene_options(*command, options->scene, true);
-  command->add_option("-o,--output", options->output, "Picture to write: .png (8-bit), .exr or .tif (float)")
+  auto [command, options] =
+      add_command<RenderOptions>(app, chosen, "render", "Draw one picture of a scene", render);
+  add_scene_options(command, options.scene, true);
+  command.add_option("-o,--output", options.output, "Picture to write: .png (8-bit), .exr or .tif (float)")
       ->required()
       ->type_name("IMAGE");
-  add_renderer_options(*command, options->renderer);
-  command
-      ->add_option("--dump", options->dump, "Write all inputs and intermediate arrays of the frame as HDF5")
+  add_renderer_options(command, options.renderer);
+  command.add_option("--dump", options.dump, "Write all inputs and intermediate arrays of the frame as HDF5")
       ->type_name("FRAME.h5");
-  command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 
 }  // namespace pelage

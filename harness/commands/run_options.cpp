@@ -169,7 +169,7 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--repeat-index", options.repeat_index)->group("");
 }
 
-void check_options(RunOptions& options) {
+RunOptions checked(RunOptions options) {
   options.argv = own_argv();
   if (!options.output.empty() && !options.resume.empty())
     throw InputError("give -o or --resume, but not both; --resume DIR also writes into DIR");
@@ -181,6 +181,16 @@ void check_options(RunOptions& options) {
   if (!options.balance.empty() && options.shard.empty())
     throw InputError("--balance divides the cases among shards; give also --shard i/n, such as --shard 0/4");
   options.overrides();
+  return options;
+}
+
+std::vector<Case> chosen_cases(const Experiment& experiment, const std::string& preset,
+                               const std::string& filter, const Overrides& overrides) {
+  std::vector<Case> cases = filtered(cases_of(experiment, preset_of(experiment, preset), overrides), filter);
+  if (cases.empty())
+    throw InputError(fmt::format("{}: --filter '{}': no case of the preset {} has a name that matches",
+                                 experiment.name, filter, preset));
+  return cases;
 }
 
 int run_repeats(const RunOptions& options, const fs::path& folder) {

@@ -1,10 +1,7 @@
 #include "harness/commands/scene_options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 

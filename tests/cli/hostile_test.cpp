@@ -28,7 +28,7 @@ TEST(Hostile, FiltersOfEveryShapeEndWithOneShortLine) {
   expect_refused(deep, "this is not a valid regular expression");
   EXPECT_LT(deep.err.size(), 400u) << "the message must not repeat the expression";
   expect_refused(pelage(folder, "run own.toml --dry-run --filter '(.*)*x(.*)*y(.*)*z$'"),
-                 "no case has a name that matches");
+                 "no case of the preset quick has a name that matches");
 }
 
 TEST(Hostile, ExperimentsOfTooManyCasesAreRefusedBeforeTheirListIsMade) {

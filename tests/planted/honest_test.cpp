@@ -1,7 +1,6 @@
 // Tests correct runs that resemble the faulty runs of the other tests in this folder. pelage must not refuse
 // the results of a correct run, and must not put rows of the same measurement into separate reports. The
 // second table of docs/results.md lists these tests.
-#include <algorithm>
 
 #include "harness/record/part_hashes.hpp"
 #include "harness/report/left_out.hpp"

@@ -1,6 +1,5 @@
 #include "tests/planted/runs.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
