@@ -79,17 +79,16 @@ void print_notes(const std::vector<Pair>& pairs) {
         "pelage: paired t-test for {} of {} comparisons, because the processes of A and B took turns\n",
         paired, pairs.size());
   if (const auto assumed = count([](const Pair& p) { return p.assumed; }))
-    fmt::print(stderr,
-               "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
-               "deviation), because fewer than {} processes measured a case; run the experiments with "
-               "--repeat 5\n",
-               assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
-  if (const auto contended = count([](const Pair& p) { return p.contended; }))
     fmt::print(
         stderr,
-        "pelage: {} of {} comparisons contain rows that were timed while other processes used more than "
-        "{:.0f}% of the machine's CPU time; these verdicts are about the loaded machine\n",
-        contended, pairs.size(), 100 * most_other_share);
+        "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
+        "deviation), because fewer than {} processes measured a case; run the experiments with --repeat 5\n",
+        assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
+  if (const auto contended = count([](const Pair& p) { return p.contended; }))
+    fmt::print(stderr,
+               "pelage: {} of {} comparisons contain rows that were timed while other processes used more "
+               "than {:.0f}% of the machine's CPU time; these verdicts are about the loaded machine\n",
+               contended, pairs.size(), 100 * most_other_share);
   double most = 0;
   std::size_t needed = 0, undecided = 0, more = 0;
   for (const Pair& p : pairs) {
@@ -165,9 +164,9 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   command.add_option("--by", options.by, "Property in which the two results of a comparison may differ")
       ->type_name("device|variant|axes.KEY");
   command
-      .add_option("--phase", options.phase,
-                  "Phase whose times are compared, such as simulate or raster; frame: the time of the whole "
-                  "frame")
+      .add_option(
+          "--phase", options.phase,
+          "Phase whose times are compared, such as simulate or raster; frame: the time of the whole frame")
       ->type_name("PHASE")
       ->capture_default_str();
   command

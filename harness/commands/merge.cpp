@@ -107,19 +107,16 @@ void add_merge(CLI::App& app, Chosen& chosen) {
   command.add_option("results", options.results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
-  command.add_flag(
-      "--keep-apart", options.keep_apart,
-      "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in OUT, instead "
-      "of refusing them");
+  command.add_flag("--keep-apart", options.keep_apart,
+                   "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in "
+                   "OUT, instead of refusing them");
   command.add_flag("--dry-run", options.dry_run, "Print missing shards and cases, and write nothing");
-  CLI::Option* expect =
-      command
-          .add_option(
-              "--expect", options.expect,
-              "Also print the cases of this experiment that were not measured; the next options select "
-              "its cases, as in pelage run")
-          ->allow_extra_args(false)
-          ->type_name("EXPERIMENT|FILE.toml");
+  CLI::Option* expect = command
+                            .add_option("--expect", options.expect,
+                                        "Also print the cases of this experiment that were not measured; the "
+                                        "next options select its cases, as in pelage run")
+                            ->allow_extra_args(false)
+                            ->type_name("EXPERIMENT|FILE.toml");
   declare_cases(command, options.expected);
   for (const char* name : {"--preset", "--model", "--up", "--set", "--axis", "--filter"})
     command.get_option(name)->needs(expect);

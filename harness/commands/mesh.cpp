@@ -122,8 +122,7 @@ void print(const Mesh& mesh) {
       q.area_low, q.area_median, q.area_high);
   fmt::print(
       "density of the fur (strands per surface area) / its mean: {:.2f} at the 5% quantile, {:.2f} at the "
-      "95% "
-      "quantile, {:.2f} times as much\n",
+      "95% quantile, {:.2f} times as much\n",
       q.area_5, q.area_95, q.area_5 > 0 ? q.area_95 / q.area_5 : 0.0);
   fmt::print(
       "surface length per unit of u: {:.3f}, per unit of v: {:.3f} (in radii R of the bounding sphere)\n",
@@ -164,10 +163,9 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   CLI::Option* keep =
       command.add_flag("--keep-uv", options.keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
-      .add_flag(
-          "--even-uv", options.even_uv,
-          "Give a chart of its own to each part of the surface that the computed UV map shrinks or enlarges "
-          "by much, so that the density of the fur varies less")
+      .add_flag("--even-uv", options.even_uv,
+                "Give a chart of its own to each part of the surface that the computed UV map shrinks or "
+                "enlarges by much, so that the density of the fur varies less")
       ->excludes(keep);
   command
       .add_option("--components", options.components,

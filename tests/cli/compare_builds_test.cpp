@@ -23,8 +23,7 @@ TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
   const std::string command = "cd '" + folder.path().string() +
                               "' && python3 '" PELAGE_SOURCE_DIR
                               "/scripts/compare_builds.py' tree tree -o out --rounds 2 --frames 3 --models "
-                              "torus --layers 16 --size 320x240 "
-                              ">stdout 2>stderr";
+                              "torus --layers 16 --size 320x240 >stdout 2>stderr";
   EXPECT_EQ(std::system(command.c_str()), 0) << folder.read("stderr");
   const std::string text = folder.read("stdout");
   expect_has(text, "2 rounds; frame time new / old, and control / old\n");

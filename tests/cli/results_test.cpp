@@ -39,10 +39,10 @@ TEST_F(Results, EqualPicturesAreNamedByRunAndReport) {
   expect_has(run.err, "pelage: own: Equal pictures: (torus_24x12-4-");
   expect_has(run.err, sentence);
   EXPECT_FALSE(has(run.err, "(torus_24x12-4-long")) << run.err;
-  expect_has(pelage(folder, "report wet -o page").out,
-             "Equal pictures: (torus-24x12, dry, 4 layers, 320x240) and (torus-24x12, soaked, 4 "
-             "layers, 320x240). " +
-                 sentence);
+  expect_has(
+      pelage(folder, "report wet -o page").out,
+      "Equal pictures: (torus-24x12, dry, 4 layers, 320x240) and (torus-24x12, soaked, 4 layers, 320x240). " +
+          sentence);
 }
 
 // The rows say what was measured, without the experiment file.
@@ -65,13 +65,12 @@ TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
   folder.write("own.toml", own + "y = \"medan_ms\"\n");
   const std::string warning =
       "own.toml: report.y names the column medan_ms, which is neither an axis nor a time of the table; did "
-      "you mean "
-      "median_ms?\n";
+      "you mean median_ms?\n";
   expect_has(pelage(folder, "run own.toml --dry-run").err, warning);
   expect_has(done(folder, "run own.toml -o second").err, warning);
   expect_has(pelage(folder, "report second -o page").err,
-             "(did you mean median_ms?); correct the table [report] of the experiment file and give "
-             "the file with --view");
+             "(did you mean median_ms?); correct the table [report] of the experiment file and give the file "
+             "with --view");
   EXPECT_FALSE(fs::exists(folder.path() / "page/plots/own-frame-time.json"));
   folder.write("own.toml", own + "y = \"median_ms\"\n");
   const Outcome mended = done(folder, "report second -o page --view own.toml");
