@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
 
 #include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
@@ -53,11 +52,10 @@ std::vector<CheckScene> filtered(std::vector<CheckScene> cases, const std::strin
 }
 
 int run_checks(const CheckOptions& options) {
-  std::set<std::string> stages(options.stages.begin(), options.stages.end());
-  if (stages.empty()) {
-    const std::vector<std::string> all = all_stages();
-    stages.insert(all.begin(), all.end());
-  }
+  const std::vector<std::string> stages = options.stages.empty() ? all_stages() : options.stages;
+  const auto chosen = [&stages](std::string_view stage) {
+    return std::find(stages.begin(), stages.end(), stage) != stages.end();
+  };
   std::vector<CheckScene> cases = filtered(check_scenes(options.full), options.filter);
   const cl::Device device = cl::choose_device(options.device);
   // With --mapping, the checks draw with this mapping only.
@@ -65,14 +63,12 @@ int run_checks(const CheckOptions& options) {
     offered_mapping(options.mapping, device.info());
     std::erase_if(cases,
                   [&](const CheckScene& which) { return !draws(options.mapping, which, device.info()); });
-    if (options.stages.size() == 1 && stages.contains("mappings"))
+    if (options.stages == std::vector<std::string>{"mappings"})
       throw InputError("--mapping: the stage mappings compares all mappings; omit one of the two");
   }
   const auto request = [&](const CheckScene& which) {
-    return CheckRequest{
-        which.scene,  load_scene_mesh(which.scene),
-        device,       options.mapping,
-        which.motion, [&stages](std::string_view stage) { return stages.contains(std::string(stage)); }};
+    return CheckRequest{which.scene, load_scene_mesh(which.scene), device, options.mapping, which.motion,
+                        chosen};
   };
   if (options.hashes) {
     for (const CheckScene& which : cases) {
@@ -86,8 +82,7 @@ int run_checks(const CheckOptions& options) {
   // A case whose system has none of the chosen stages would simulate for nothing.
   std::erase_if(cases, [&](const CheckScene& which) {
     const auto own = system_of(which).stages;
-    return std::none_of(own.begin(), own.end(),
-                        [&](std::string_view s) { return stages.contains(std::string(s)); });
+    return std::none_of(own.begin(), own.end(), chosen);
   });
   fmt::print("{}\n{:<9} {:<26} {:<34} {:>10} {:>10}\n", device.info().name, "stage", "case", "metric",
              "value", "limit");

@@ -1,14 +1,17 @@
 // Runs the pelage binary of this build in a shell, in a temporary folder, and checks how it ended.
 #pragma once
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <stdexcept>
 
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::cli {
+
+using test::expect_has;
+using test::has;
 
 struct Outcome {
   int code = -1;
@@ -56,14 +59,6 @@ inline Outcome done(const Folder& folder, const std::string& arguments, const st
     throw std::runtime_error(
         fmt::format("{}: code {}\n{}{}", outcome.arguments, outcome.code, outcome.out, outcome.err));
   return outcome;
-}
-
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-inline void expect_has(const std::string& text, const std::string& part) {
-  EXPECT_TRUE(has(text, part)) << "there is no\n" << part << "\nin\n" << text;
 }
 
 /// Expects that pelage refused its input: it ended with `code`, and its only message, the last line on

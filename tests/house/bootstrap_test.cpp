@@ -42,7 +42,7 @@ class Bootstrap : public Checkout {
 
 TEST_F(Bootstrap, ExplainsItself) {
   EXPECT_EQ(run("").exit_code, 0);
-  EXPECT_TRUE(has(run("--help").text, "table1"));
+  expect_has(run("--help").text, "table1");
   const Outcome wrong = run("tabel1");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_EQ(wrong.calls, "");
@@ -52,14 +52,14 @@ TEST_F(Bootstrap, InstallsNothingThatIsThere) {
   const Outcome outcome = run("--no-install build");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_FALSE(has(outcome.calls, "apt-get")) << outcome.calls;
-  EXPECT_TRUE(has(outcome.calls, "--target pelage")) << outcome.calls;
+  expect_has(outcome.calls, "--target pelage");
 }
 
 TEST_F(Bootstrap, ListsWhatIsMissingAndTouchesNothing) {
   stub("dpkg-query", "case $* in *libexample*) exit 1;; *) echo -n installed;; esac");
   const Outcome outcome = run("--no-install table1");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.text;
-  EXPECT_TRUE(has(outcome.text, "apt-get install --no-install-recommends libexample-dev\n")) << outcome.text;
+  expect_has(outcome.text, "apt-get install --no-install-recommends libexample-dev\n");
   EXPECT_EQ(outcome.calls, "");
 }
 
@@ -69,9 +69,9 @@ TEST_F(Bootstrap, InstallsWhatIsMissingOnly) {
   stub("sudo", "exec \"$@\"");
   const Outcome outcome = run("setup");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  EXPECT_TRUE(has(outcome.text, "installing 1 packages")) << outcome.text;
-  EXPECT_TRUE(has(outcome.calls, "update\n")) << outcome.calls;
-  EXPECT_TRUE(has(outcome.calls, "install --no-install-recommends libexample-dev\n")) << outcome.calls;
+  expect_has(outcome.text, "installing 1 packages");
+  expect_has(outcome.calls, "update\n");
+  expect_has(outcome.calls, "install --no-install-recommends libexample-dev\n");
   EXPECT_FALSE(has(outcome.calls, "install --no-install-recommends cmake")) << outcome.calls;
 }
 
@@ -81,28 +81,26 @@ TEST_F(Bootstrap, ShowsWhyAnInstallationFailed) {
   stub("apt-get", "echo 'E: Unable to locate package libexample-dev'; exit 100");
   const Outcome outcome = run("build");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(has(outcome.text, "Unable to locate package libexample-dev")) << outcome.text;
+  expect_has(outcome.text, "Unable to locate package libexample-dev");
   EXPECT_FALSE(has(outcome.calls, "cmake")) << "went on to build";
 }
 
 TEST_F(Bootstrap, RunsTableOneIntoAFolderOfItsOwnAndReportsIt) {
   const Outcome outcome = run("table1 --device pocl");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  EXPECT_TRUE(has(outcome.calls, "pelage run silva2010-table1 --preset quick -o pelage-results/"))
-      << outcome.calls;
-  EXPECT_TRUE(has(outcome.calls, "--device pocl\n")) << outcome.calls;
-  EXPECT_TRUE(has(outcome.calls, "pelage report pelage-results/")) << outcome.calls;
-  EXPECT_TRUE(has(outcome.text, "report/index.html")) << outcome.text;
+  expect_has(outcome.calls, "pelage run silva2010-table1 --preset quick -o pelage-results/");
+  expect_has(outcome.calls, "--device pocl\n");
+  expect_has(outcome.calls, "pelage report pelage-results/");
+  expect_has(outcome.text, "report/index.html");
 }
 
 TEST_F(Bootstrap, LeavesTheUsersOwnChoicesAlone) {
   const Outcome chosen = run("table1 --preset smoke -o mine");
-  EXPECT_TRUE(has(chosen.calls, "pelage run silva2010-table1 --preset smoke -o mine\n")) << chosen.calls;
-  EXPECT_TRUE(has(chosen.calls, "pelage report mine -o mine/report\n")) << chosen.calls;
+  expect_has(chosen.calls, "pelage run silva2010-table1 --preset smoke -o mine\n");
+  expect_has(chosen.calls, "pelage report mine -o mine/report\n");
   const Outcome resumed = run("table1 --resume old");
-  EXPECT_TRUE(has(resumed.calls, "pelage run silva2010-table1 --preset quick --resume old\n"))
-      << resumed.calls;
-  EXPECT_TRUE(has(resumed.calls, "pelage report old -o old/report\n")) << resumed.calls;
+  expect_has(resumed.calls, "pelage run silva2010-table1 --preset quick --resume old\n");
+  expect_has(resumed.calls, "pelage report old -o old/report\n");
   const Outcome dry = run("table1 --dry-run");
   EXPECT_FALSE(has(dry.calls, "pelage report")) << dry.calls;
   const Outcome anonymous = run("table1 --anonymous");
@@ -126,10 +124,9 @@ TEST_F(Bootstrap, RunsTheTestsAndPassesOnTheirVerdict) {
   stub("nproc", "echo 5");
   const Outcome passed = run("test -R cl");
   EXPECT_EQ(passed.exit_code, 0) << passed.text;
-  EXPECT_TRUE(has(passed.calls, "--output-on-failure --parallel 5 --label-exclude full -R cl\n"))
-      << passed.calls;
+  expect_has(passed.calls, "--output-on-failure --parallel 5 --label-exclude full -R cl\n");
   const Outcome full = run("test --full -R cl");
-  EXPECT_TRUE(has(full.calls, "--output-on-failure --parallel 5 -R cl\n")) << full.calls;
+  expect_has(full.calls, "--output-on-failure --parallel 5 -R cl\n");
   stub("ctest", "exit 8");
   EXPECT_EQ(run("test").exit_code, 8);
 }
@@ -138,8 +135,8 @@ TEST_F(Bootstrap, BuildsAnewInAFolderThatCameFromElsewhere) {
   write("checkout/build/release/CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL=elsewhere\n");
   const Outcome outcome = run("build");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  EXPECT_TRUE(has(outcome.calls, "cmake --preset release")) << outcome.calls;
-  EXPECT_TRUE(has(outcome.text, "another checkout")) << outcome.text;
+  expect_has(outcome.calls, "cmake --preset release");
+  expect_has(outcome.text, "another checkout");
 }
 
 }  // namespace

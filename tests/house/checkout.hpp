@@ -1,12 +1,15 @@
 // A temporary checkout for tests of the repository's scripts, with stubs in place of other programs.
 #pragma once
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::house {
+
+using test::expect_has;
+using test::has;
 
 class Checkout : public ::testing::Test {
  protected:
@@ -42,9 +45,5 @@ class Checkout : public ::testing::Test {
  private:
   test::Folder folder_;
 };
-
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace pelage::house

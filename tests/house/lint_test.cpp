@@ -50,13 +50,13 @@ TEST_F(Lint, TakesChangedFilesFirstAndThenAllOthersOnce) {
   EXPECT_EQ(std::set(files.begin(), files.end()).size(), 10u);
   EXPECT_EQ(std::vector(files.begin(), files.begin() + 3),
             (std::vector<std::string>{"harness/c.cpp", "harness/f.cpp", "harness/h.cpp"}));
-  EXPECT_TRUE(has(output(), "linted 10 of 10 files, 3 of 3 changed ones")) << output();
+  expect_has(output(), "linted 10 of 10 files, 3 of 3 changed ones");
 }
 
 TEST_F(Lint, StartsNothingAfterItsLimit) {
   EXPECT_EQ(shell("PELAGE_LINT_MINUTES=0 .ci/lint"), 0) << output();
   EXPECT_TRUE(linted().empty());
-  EXPECT_TRUE(has(output(), "linted 0 of 10 files")) << output();
+  expect_has(output(), "linted 0 of 10 files");
   EXPECT_EQ(shell("PELAGE_LINT_MINUTES=all .ci/lint"), 0) << output();
   EXPECT_EQ(linted().size(), 10u);
   EXPECT_EQ(shell("PELAGE_LINT_MINUTES=soon .ci/lint"), 2);
@@ -66,7 +66,7 @@ TEST_F(Lint, OneFindingFailsAndTheOthersAreStillLinted) {
   clang_tidy("test \"$file\" != harness/e.cpp");
   EXPECT_NE(shell(".ci/lint"), 0);
   EXPECT_EQ(linted().size(), 10u);
-  EXPECT_TRUE(has(output(), "lint: harness/e.cpp has findings")) << output();
+  expect_has(output(), "lint: harness/e.cpp has findings");
 }
 
 TEST_F(Lint, WorksWithoutGit) {

@@ -6,11 +6,9 @@
 #include <memory>
 #include <numbers>
 
-#include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/record/journal.hpp"
 #include "harness/report/input_sets.hpp"
-#include "tests/support/refusal.hpp"
 
 namespace pelage::planted {
 namespace {
@@ -154,10 +152,6 @@ void Runs::expect_unreadable(const std::string& text) {
 void slow_down(Row& row) {
   for (double& ms : row.samples["frame"].wall_ms) ms *= 1.5;
   row.metrics.erase("fragments_per_s");
-}
-
-std::string refusal_of(const std::function<void()>& work) {
-  return test::refusal([&] { work(); }, "");
 }
 
 std::vector<std::string> kept_apart(const std::vector<fs::path>& results) {

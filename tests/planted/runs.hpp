@@ -70,9 +70,6 @@ inline void refused(const Outcome& outcome, const std::string& text) {
 /// Makes the times of the row's frames 1.5 times as long.
 void slow_down(Row& row);
 
-/// Returns the message of the InputError that `work` throws, or "" if `work` throws none.
-std::string refusal_of(const std::function<void()>& work);
-
 /// A report separates rows that measured different inputs into several sets (input_sets()). Returns one text
 /// for each set except the first. The text names the inputs that differ from the first set.
 std::vector<std::string> kept_apart(const std::vector<std::filesystem::path>& results);
