@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "harness/commands/commands.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
@@ -13,6 +15,14 @@ struct RenderOptions {
   std::string output, dump;
   RendererOptions renderer;
 };
+
+/// Prints the name of the device and the time of its first frame, which has no warm-up, unless the pipeline
+/// runs on the host.
+void report_first_frame(const Renderer& renderer) {
+  if (renderer.device().empty()) return;
+  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
+             renderer.device(), renderer.ms());
+}
 
 int render(const RenderOptions& options) {
   check_picture_path(options.output);

@@ -102,10 +102,4 @@ std::shared_ptr<const Mesh> load_drawn_mesh(const RendererOptions& options, cons
   return mesh;
 }
 
-void report_first_frame(const Renderer& renderer) {
-  if (renderer.device().empty()) return;
-  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
-             renderer.device(), renderer.ms());
-}
-
 }  // namespace pelage
