@@ -134,10 +134,6 @@ bool is_key(const std::string& column, const std::vector<Cell>& cells) {
 
 }  // namespace
 
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
-
 std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   std::vector<CellColumn> columns;
   const auto triangles = triangles_by_model(cells);

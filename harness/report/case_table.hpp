@@ -12,9 +12,6 @@
 
 namespace pelage {
 
-/// Returns whether the cell has a time.
-bool timed(const Cell& cell);
-
 /// A column, and the function that computes its value for a cell. A cell is the combined result of one case
 /// (cells.hpp). A table has one line per cell.
 struct CellColumn {
