@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <sstream>
 #include <stdexcept>
 
 #include "tests/support/files.hpp"
