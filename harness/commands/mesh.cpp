@@ -100,7 +100,7 @@ Picture draw_atlas(const Mesh& mesh, int side) {
   return picture;
 }
 
-void print(const Mesh& mesh) {
+void print_mesh(const Mesh& mesh) {
   const Topology t = topology(mesh);
   const UvQuality q = uv_quality(mesh);
   fmt::print("{}, content {}\n", mesh.name, mesh.hash);
@@ -129,7 +129,7 @@ void print(const Mesh& mesh) {
       mesh.length_per_uv.x, mesh.length_per_uv.y);
 }
 
-int run(const MeshCommand& command) {
+int prepare_mesh(const MeshCommand& command) {
   if (!command.atlas.empty()) check_picture_path(command.atlas);
   MeshOptions options;
   options.faces = command.faces;
@@ -142,7 +142,7 @@ int run(const MeshCommand& command) {
   options.rotate = rotation_of(turn);
   options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   const auto mesh = load_model(command.model, options);
-  print(*mesh);
+  print_mesh(*mesh);
   for (const std::string& warning : uv_warnings(*mesh)) fmt::print(stderr, "{}: {}\n", mesh->name, warning);
   if (!command.output.empty()) write_ply(command.output, *mesh);
   if (!command.atlas.empty()) write_picture(command.atlas, draw_atlas(*mesh, 1024));
@@ -153,7 +153,8 @@ int run(const MeshCommand& command) {
 
 void add_mesh(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<MeshCommand>(
-      app, chosen, "mesh", "Prepare a mesh; print its size, its topology and the quality of its UV map", run);
+      app, chosen, "mesh", "Prepare a mesh; print its size, its topology and the quality of its UV map",
+      prepare_mesh);
   command
       .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();

@@ -48,8 +48,8 @@ void row(std::string_view what, const auto& masses, const auto& springs, const s
              implicit_kib, paper.empty() ? "" : fmt::format("  {:>14}", paper));
 }
 
-void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on,
-           const Published& published) {
+void print_topology(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on,
+                    const Published& published) {
   const springs::Solver& implicit = *std::find_if(std::begin(springs::solvers), std::end(springs::solvers),
                                                   [](const auto& s) { return s.implicit; });
   const springs::SpringNetwork built = springs::build(kind, mesh, any_length, vertices);
@@ -74,7 +74,7 @@ void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
   write_text_atomically(path, svg);
 }
 
-int run(const TopologyCommand& command) {
+int count_springs(const TopologyCommand& command) {
   MeshOptions options;
   options.faces = command.faces;
   MeshScene turn;
@@ -93,14 +93,15 @@ int run(const TopologyCommand& command) {
   row("topology", "masses", "springs", "least/mean/most", "explicit", "implicit",
       published.empty() ? "" : "masses/springs");
   for (const springs::Kind kind : springs::kinds)
-    print(*mesh, kind, springs::Vertices::points, "", published);
+    print_topology(*mesh, kind, springs::Vertices::points, "", published);
   const std::size_t strands = (counts.faces + 15) / 16 * 16 * sizeof(float) *
                               (std::size_t(VIRTUAL_STRAND_COLUMNS) + std::size_t(STATE_COLUMNS));
   row("strands (Silva et al. 2010)", counts.faces, counts.faces, "1 / 1.00 / 1",
       fmt::format("{:.0f}", double(strands) / 1024), "-");
   if (counts.copies != counts.points)
     for (const springs::Kind& kind : springs::kinds)
-      if (!kind.separable) print(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
+      if (!kind.separable)
+        print_topology(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
   return 0;
 }
 
@@ -109,7 +110,8 @@ int run(const TopologyCommand& command) {
 void add_topology(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<TopologyCommand>(
       app, chosen, "topology",
-      "Print the masses, springs and memory of each topology over a model, and draw the topologies", run);
+      "Print the masses, springs and memory of each topology over a model, and draw the topologies",
+      count_springs);
   command
       .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();

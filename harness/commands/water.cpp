@@ -45,7 +45,7 @@ std::string water_table(const Scene& scene, double to, double fps) {
   return text;
 }
 
-int run(const WaterOptions& options) {
+int follow_water(const WaterOptions& options) {
   if (options.to * options.fps > most_lines)
     throw InputError(fmt::format("--to {} --fps {}: {:.0f} lines; give at most {:.0f}", options.to,
                                  options.fps, options.to * options.fps, most_lines));
@@ -58,7 +58,7 @@ int run(const WaterOptions& options) {
 
 void add_water(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<WaterOptions>(
-      app, chosen, "water", "Write where the water of a scene is over time, as CSV", run);
+      app, chosen, "water", "Write where the water of a scene is over time, as CSV", follow_water);
   add_scene_options(command, options.scene, false);
   command.add_option("--to", options.to, "Time of the last line, s; the first line is at 0")
       ->type_name("SECONDS")

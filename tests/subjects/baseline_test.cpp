@@ -46,7 +46,7 @@ MakeSubject by_curls(const std::string& bad) {
   };
 }
 
-Row row_of(const std::string& bad = "") {
+Row row_with(const std::string& bad = "") {
   const Experiment e = two_readings();
   RunPlan plan = test::fake_plan(1);
   plan.cases[0] = case_named(e, "torus-curled-8");
@@ -55,7 +55,7 @@ Row row_of(const std::string& bad = "") {
 }
 
 TEST(Baseline, IsTimedInTurnsWithTheCase) {
-  const Row row = row_of();
+  const Row row = row_with();
   EXPECT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("baseline").wall_ms.size(), row.samples.at("frame").wall_ms.size());
   EXPECT_NEAR(row.metrics.at("frame_over_baseline").value, 1.5, 0.01);
@@ -65,8 +65,8 @@ TEST(Baseline, IsTimedInTurnsWithTheCase) {
 }
 
 TEST(Baseline, ThatFailsItsCheckFailsTheRow) {
-  EXPECT_EQ(row_of("torus-curled-8").status, Status::failed_check);
-  const Row row = row_of("torus-8");
+  EXPECT_EQ(row_with("torus-curled-8").status, Status::failed_check);
+  const Row row = row_with("torus-8");
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_NE(row.reason.find("reference, baseline"), std::string::npos) << row.reason;
 }
