@@ -65,8 +65,9 @@ cl::KernelTime of_kernel(const cl::FrameTiming& timing, const std::string& kerne
   return sum;
 }
 
-bool draws(const std::string& kernel) {
-  return kernel.ends_with("_shells");
+/// A counter whose rate Google Benchmark computes. `value` is its value in one iteration.
+benchmark::Counter rate(double value) {
+  return {value, benchmark::Counter::kIsIterationInvariantRate};
 }
 
 void time_kernel(benchmark::State& state, Bench& bench, const std::string& kernel) {
@@ -80,11 +81,8 @@ void time_kernel(benchmark::State& state, Bench& bench, const std::string& kerne
     state.SetIterationTime(time.ms / 1000);
     bytes = time.bytes;
   }
-  const auto rate = [](double value) {
-    return benchmark::Counter(value, benchmark::Counter::kIsIterationInvariantRate);
-  };
   state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
-  if (draws(kernel)) {
+  if (kernel.ends_with("_shells")) {
     state.counters["covered"] = rate(bench.work.covered);
     state.counters["shaded"] = rate(bench.work.shaded);
     state.counters["blended"] = rate(bench.work.blended);
@@ -106,13 +104,12 @@ void time_mask(benchmark::State& state, Bench& bench) {
   }
   state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
   const double size = bench.input->scene.wetness.size;
-  state.counters["texels"] = benchmark::Counter(size * size, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["texels"] = rate(size * size);
 }
 
 void time_frame(benchmark::State& state, Bench& bench) {
   for (auto unused : state) state.SetIterationTime(bench.backend->frame().wall_ms / 1000);
-  state.counters["shaded"] =
-      benchmark::Counter(bench.work.shaded, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["shaded"] = rate(bench.work.shaded);
 }
 
 Scene scene_of(const Options& options) {

@@ -3,11 +3,10 @@
 
     scripts/mutants.py [--data FILE] [--build FOLDER] [--jobs N] [--check] [NAME ...]
 
-FILE is tests/mutants/survivors.toml by default. Each mutant has a `name`. Its `original` is a text that occurs exactly
-once in the tracked files of harness/ and kernels/; differences in white space are ignored. The program replaces this
-text by `replacement`. Then the tests of the executable `target` that match the GoogleTest filter `filter` must fail.
-`why` describes the effect of the mistake. A mutant with the key `equivalent` is not run; the key gives the reason why
-no test can detect the mutant.
+FILE is tests/mutants/survivors.toml by default. A mutant is an entry of a list that has the name of a test program, such
+as [[test_mesh]]. Each mutant has a `name`. Its `original` is a text that occurs exactly once in the tracked files of
+harness/ and kernels/; differences in white space are ignored. The program replaces this text by `replacement`. Then the
+tests of the test program that match the GoogleTest filter `filter` must fail. `why` describes the effect of the mistake.
 
 The tests of a mutant must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when
 a test runs. The program restores every file at the end, also after Ctrl-C. Do not commit while the program runs. When
@@ -27,8 +26,7 @@ import time
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-KEYS = {"name", "original", "replacement", "target", "filter", "why", "equivalent"}
-NEEDED = {"name", "original", "replacement", "target", "filter", "why"}
+KEYS = {"name", "original", "replacement", "target", "filter", "why"}
 TEST_LIMIT_S = 600  # A test that takes longer with a mutant counts as failed, so it detects the mutant.
 
 
@@ -38,15 +36,18 @@ class Mistake(Exception):
 
 def read_data(file):
     try:
-        mutants = tomllib.loads(file.read_text()).get("mutant", [])
+        lists = tomllib.loads(file.read_text())
     except (OSError, tomllib.TOMLDecodeError) as error:
         raise Mistake(f"{file}: {error}") from error
+    if wrong := [name for name in lists if not name.startswith("test_")]:
+        raise Mistake(f"{file}: {', '.join(wrong)}: a list of mutants has the name of a test program")
+    mutants = [{"target": target, **mutant} for target, entries in lists.items() for mutant in entries]
     names = set()
     for number, mutant in enumerate(mutants, 1):
         name = mutant.get("name", f"number {number}")
         if unknown := mutant.keys() - KEYS:
             raise Mistake(f"{file}: {name}: unknown key {', '.join(sorted(unknown))}")
-        if missing := NEEDED - mutant.keys():
+        if missing := KEYS - mutant.keys():
             raise Mistake(f"{file}: {name}: no {', '.join(sorted(missing))}")
         if name in names:
             raise Mistake(f"{file}: {name}: twice")
@@ -148,28 +149,25 @@ def main():
     known = {mutant["name"] for mutant in mutants}
     if unknown := [name for name in options.name if name not in known]:
         raise Mistake(f"no mutant is named {', '.join(unknown)}: {', '.join(sorted(known))}")
-    bad, counts = 0, {"killed": 0, "equivalent": 0}
+    bad = killed = 0
     for mutant in mutants:
         if options.name and mutant["name"] not in options.name:
             continue
         try:
             place = find(mutant, tracked_sources())
-            if "equivalent" in mutant:
-                said = "equivalent: " + mutant["equivalent"]
-            elif options.check:
+            if options.check:
                 said = "found in " + str(place[0].relative_to(ROOT))
             else:
                 said = verdict(options.build, options.jobs, mutant, place)
         except Mistake as mistake:
             said = "not applied: " + str(mistake)
-        word = said.split()[0].rstrip(":")
-        if word in counts:
-            counts[word] += 1
-        elif not (options.check and word == "found"):
+        if said.startswith("killed"):
+            killed += 1
+        elif not said.startswith("found"):
             bad += 1
         print(f"{mutant['name']}: {said}", flush=True)
     if not options.check:
-        print(f"{counts['killed']} killed, {counts['equivalent']} equivalent, {bad} not killed")
+        print(f"{killed} killed, {bad} not killed")
     return 1 if bad else 0
 
 

@@ -144,21 +144,20 @@ void add_time_options(CLI::App& command, TimeOptions& times) {
 }  // namespace
 
 void add_animate(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<AnimateOptions>();
-  CLI::App* command = app.add_subcommand("animate", "Draw the frames of an animation of a scene");
-  add_scene_options(*command, options->scene, true);
-  command->add_option("-o,--output", options->output, "Folder for the frames, frame-00000.png and so on")
+  auto [command, options] = add_command<AnimateOptions>(
+      app, chosen, "animate", "Draw the frames of an animation of a scene", animate);
+  add_scene_options(command, options.scene, true);
+  command.add_option("-o,--output", options.output, "Folder for the frames, frame-00000.png and so on")
       ->required()
       ->type_name("FOLDER");
-  add_time_options(*command, options->times);
-  command->add_option("--gif", options->gif, "Also join the frames to a GIF file (needs ffmpeg)")
+  add_time_options(command, options.times);
+  command.add_option("--gif", options.gif, "Also join the frames to a GIF file (needs ffmpeg)")
       ->type_name("FILE");
-  command->add_option("--mp4", options->mp4, "Also join the frames to an MP4 video (needs ffmpeg)")
+  command.add_option("--mp4", options.mp4, "Also join the frames to an MP4 video (needs ffmpeg)")
       ->type_name("FILE");
-  command->add_flag("--resume", options->resume,
-                    "Continue an interrupted animation: keep the complete frames of the folder");
-  add_renderer_options(*command, options->renderer);
-  command->callback([options, &chosen] { chosen = [options] { return animate(*options); }; });
+  command.add_flag("--resume", options.resume,
+                   "Continue an interrupted animation: keep the complete frames of the folder");
+  add_renderer_options(command, options.renderer);
 }
 
 }  // namespace pelage

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
 
 #include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
@@ -53,11 +52,10 @@ std::vector<CheckScene> filtered(std::vector<CheckScene> cases, const std::strin
 }
 
 int run_checks(const CheckOptions& options) {
-  std::set<std::string> stages(options.stages.begin(), options.stages.end());
-  if (stages.empty()) {
-    const std::vector<std::string> all = all_stages();
-    stages.insert(all.begin(), all.end());
-  }
+  const std::vector<std::string> stages = options.stages.empty() ? all_stages() : options.stages;
+  const auto chosen = [&stages](std::string_view stage) {
+    return std::find(stages.begin(), stages.end(), stage) != stages.end();
+  };
   std::vector<CheckScene> cases = filtered(check_scenes(options.full), options.filter);
   const cl::Device device = cl::choose_device(options.device);
   // With --mapping, the checks draw with this mapping only.
@@ -65,14 +63,12 @@ int run_checks(const CheckOptions& options) {
     offered_mapping(options.mapping, device.info());
     std::erase_if(cases,
                   [&](const CheckScene& which) { return !draws(options.mapping, which, device.info()); });
-    if (options.stages.size() == 1 && stages.contains("mappings"))
+    if (options.stages == std::vector<std::string>{"mappings"})
       throw InputError("--mapping: the stage mappings compares all mappings; omit one of the two");
   }
   const auto request = [&](const CheckScene& which) {
-    return CheckRequest{
-        which.scene,  load_scene_mesh(which.scene),
-        device,       options.mapping,
-        which.motion, [&stages](std::string_view stage) { return stages.contains(std::string(stage)); }};
+    return CheckRequest{which.scene, load_scene_mesh(which.scene), device, options.mapping, which.motion,
+                        chosen};
   };
   if (options.hashes) {
     for (const CheckScene& which : cases) {
@@ -86,8 +82,7 @@ int run_checks(const CheckOptions& options) {
   // A case whose system has none of the chosen stages would simulate for nothing.
   std::erase_if(cases, [&](const CheckScene& which) {
     const auto own = system_of(which).stages;
-    return std::none_of(own.begin(), own.end(),
-                        [&](std::string_view s) { return stages.contains(std::string(s)); });
+    return std::none_of(own.begin(), own.end(), chosen);
   });
   fmt::print("{}\n{:<9} {:<26} {:<34} {:>10} {:>10}\n", device.info().name, "stage", "case", "metric",
              "value", "limit");
@@ -108,40 +103,36 @@ int run_checks(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      app.add_subcommand("check", "Compare the results of a device with the double-precision reference");
+  auto [command, options] = add_command<CheckOptions>(
+      app, chosen, "check", "Compare the results of a device with the double-precision reference",
+      run_checks);
   command
-      ->add_option(
-          "stages", options->stages,
-          "Stages to compare: simulate, mask, picture and mappings of shells, chains and strands of fur of "
-          "single strands (default: all)")
+      .add_option("stages", options.stages,
+                  "Stages to compare: simulate, mask, picture and mappings of shells, chains and strands of "
+                  "fur of single strands (default: all)")
       ->check(CLI::IsMember(all_stages()))
       ->type_name("STAGE");
-  command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
+  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command
-      ->add_option("--mapping", options->mapping,
-                   "Draw with this mapping only (default: with every mapping that suits the device, its own "
-                   "default first): " +
-                       mappings_help())
+      .add_option("--mapping", options.mapping,
+                  "Draw with this mapping only (default: with every mapping that suits the device, its own "
+                  "default first): " +
+                      mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command
-      ->add_option("--filter", options->filter,
-                   "Use only the cases whose names match this regular expression, for instance torus")
+      .add_option("--filter", options.filter,
+                  "Use only the cases whose names match this regular expression, for instance torus")
       ->type_name("REGEX");
-  command->add_flag(
-      "--full", options->full,
-      "Compare a larger set of cases: all eight models, each with 16 and 64 layers of curly, wet fur "
-      "in wind, and a mesh of 5 million triangles");
-  command->add_flag(
-      "--hashes", options->hashes,
+  command.add_flag("--full", options.full,
+                   "Compare a larger set of cases: all eight models, each with 16 and 64 layers of curly, "
+                   "wet fur in wind, and a mesh of 5 million triangles");
+  command.add_flag(
+      "--hashes", options.hashes,
       "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping of pixels "
       "to work-items, of the masses for every topology and solver, and of 100 frames of single strands for "
-      "three "
-      "numbers of chunks of the sorted list. Two revisions with equal hashes compute equal results");
-  command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
+      "three numbers of chunks of the sorted list. Two revisions with equal hashes compute equal results");
 }
 
 }  // namespace pelage

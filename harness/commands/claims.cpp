@@ -1,10 +1,6 @@
 // pelage claims: reads recorded results and prints whether they support the claims of papers or of the user.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 #include "harness/atomic_file.hpp"
 #include "harness/claims/claim_file.hpp"
 #include "harness/claims/print.hpp"
@@ -55,21 +51,19 @@ int print_claims(const ClaimsOptions& options) {
 }  // namespace
 
 void add_claims(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<ClaimsOptions>();
-  CLI::App* command =
-      app.add_subcommand("claims", "Print which claims of the papers hold for recorded results");
-  command->add_option("results", options->results, "Folders with results, or journal files")
+  auto [command, options] = add_command<ClaimsOptions>(
+      app, chosen, "claims", "Print which claims of the papers hold for recorded results", print_claims);
+  command.add_option("results", options.results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
-  command->add_option("--claims", options->file, "File of claims to use instead of experiments/claims.toml")
+  command.add_option("--claims", options.file, "File of claims to use instead of experiments/claims.toml")
       ->type_name("FILE");
-  command->add_option("--csv", options->csv, "Also write the claims as CSV; - prints only the CSV")
+  command.add_option("--csv", options.csv, "Also write the claims as CSV; - prints only the CSV")
       ->type_name("FILE");
-  auto* json = command->add_flag("--json", options->json, "Print JSON");
-  command->add_flag("--all", options->all,
-                    "Also print each claim about experiments that are not among the results");
-  command->add_flag("--markdown", options->markdown, "Print a table for a Markdown document")->excludes(json);
-  command->callback([options, &chosen] { chosen = [options] { return print_claims(*options); }; });
+  auto* json = command.add_flag("--json", options.json, "Print JSON");
+  command.add_flag("--all", options.all,
+                   "Also print each claim about experiments that are not among the results");
+  command.add_flag("--markdown", options.markdown, "Print a table for a Markdown document")->excludes(json);
 }
 
 }  // namespace pelage

@@ -79,17 +79,16 @@ void print_notes(const std::vector<Pair>& pairs) {
         "pelage: paired t-test for {} of {} comparisons, because the processes of A and B took turns\n",
         paired, pairs.size());
   if (const auto assumed = count([](const Pair& p) { return p.assumed; }))
-    fmt::print(stderr,
-               "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
-               "deviation), because fewer than {} processes measured a case; run the experiments with "
-               "--repeat 5\n",
-               assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
-  if (const auto contended = count([](const Pair& p) { return p.contended; }))
     fmt::print(
         stderr,
-        "pelage: {} of {} comparisons contain rows that were timed while other processes used more than "
-        "{:.0f}% of the machine's CPU time; these verdicts are about the loaded machine\n",
-        contended, pairs.size(), 100 * most_other_share);
+        "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
+        "deviation), because fewer than {} processes measured a case; run the experiments with --repeat 5\n",
+        assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
+  if (const auto contended = count([](const Pair& p) { return p.contended; }))
+    fmt::print(stderr,
+               "pelage: {} of {} comparisons contain rows that were timed while other processes used more "
+               "than {:.0f}% of the machine's CPU time; these verdicts are about the loaded machine\n",
+               contended, pairs.size(), 100 * most_other_share);
   double most = 0;
   std::size_t needed = 0, undecided = 0, more = 0;
   for (const Pair& p : pairs) {
@@ -155,35 +154,34 @@ int compare(const CompareOptions& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "Compare two sets of results, case by case");
-  command->add_option("a", options->a, "First set of results")->required()->type_name("A");
+  auto [command, options] = add_command<CompareOptions>(app, chosen, "compare",
+                                                        "Compare two sets of results, case by case", compare);
+  command.add_option("a", options.a, "First set of results")->required()->type_name("A");
   command
-      ->add_option("b", options->b,
-                   "Second set of results; without it, --by compares results of A with each other")
+      .add_option("b", options.b,
+                  "Second set of results; without it, --by compares results of A with each other")
       ->type_name("B");
-  command->add_option("--by", options->by, "Property in which the two results of a comparison may differ")
+  command.add_option("--by", options.by, "Property in which the two results of a comparison may differ")
       ->type_name("device|variant|axes.KEY");
   command
-      ->add_option("--phase", options->phase,
-                   "Phase whose times are compared, such as simulate or raster; frame: the time of the whole "
-                   "frame")
+      .add_option(
+          "--phase", options.phase,
+          "Phase whose times are compared, such as simulate or raster; frame: the time of the whole frame")
       ->type_name("PHASE")
       ->capture_default_str();
   command
-      ->add_option("--threshold", options->threshold,
-                   "Largest relative change of a time that counts as no change")
+      .add_option("--threshold", options.threshold,
+                  "Largest relative change of a time that counts as no change")
       ->type_name("5%")
       ->capture_default_str();
   command
-      ->add_option("--alpha", options->alpha,
-                   "Largest probability that one or more of the verdicts are wrong (Holm's correction)")
+      .add_option("--alpha", options.alpha,
+                  "Largest probability that one or more of the verdicts are wrong (Holm's correction)")
       ->type_name("5%")
       ->capture_default_str();
-  command->add_flag("--fail-on-regression", options->fail_on_regression,
-                    "Exit with code 5 if a case is slower in B or has no time in B");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
+  command.add_flag("--fail-on-regression", options.fail_on_regression,
+                   "Exit with code 5 if a case is slower in B or has no time in B");
+  command.add_flag("--json", options.json, "Print JSON");
 }
 
 }  // namespace pelage

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <set>
-#include <string_view>
+#include <sstream>
 #include <vector>
 
 #include "harness/commands/commands.hpp"
@@ -56,15 +55,9 @@ Words declared_values(const std::string& type) {
   const std::size_t from = type.find('{'), to = type.find('}');
   Words words;
   if (from == std::string::npos || to == std::string::npos) return words;
-  std::string word;
-  for (const char c : type.substr(from + 1, to - from - 1) + ",") {
-    if (c != ',') {
-      word += c;
-    } else if (!word.empty()) {
-      words.push_back(std::move(word));
-      word.clear();
-    }
-  }
+  std::istringstream list(type.substr(from + 1, to - from - 1));
+  for (std::string word; std::getline(list, word, ',');)
+    if (!word.empty()) words.push_back(word);
   return words;
 }
 

@@ -125,14 +125,12 @@ int list_devices(const DevicesOptions& options) {
 }  // namespace
 
 void add_devices(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<DevicesOptions>();
-  CLI::App* command = app.add_subcommand("devices", "List every OpenCL platform and device");
-  command->add_flag("--measure", options->measure,
-                    "Measure the event timer, the memory bandwidth, the arithmetic peak and the cost of a "
-                    "launch (about 2 s "
-                    "per device)");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &chosen] { chosen = [options] { return list_devices(*options); }; });
+  auto [command, options] = add_command<DevicesOptions>(
+      app, chosen, "devices", "List every OpenCL platform and device", list_devices);
+  command.add_flag("--measure", options.measure,
+                   "Measure the event timer, the memory bandwidth, the arithmetic peak and the cost of a "
+                   "launch (about 2 s per device)");
+  command.add_flag("--json", options.json, "Print JSON");
 }
 
 }  // namespace pelage

@@ -71,16 +71,11 @@ Picture wind_of(const Scene& scene, const DiagramOptions& options) {
   return picture;
 }
 
-diagrams::Section shape_of(const Scene& scene) {
-  return diagrams::shape_section(scene);
-}
 diagrams::Section clump_of(const Scene& scene) {
   const glm::vec2 length = load_scene_mesh(scene)->length_per_uv;
   return diagrams::clump_section(scene, 0.5 * (double(length.x) + double(length.y)));
 }
-diagrams::Section curl_of(const Scene& scene) {
-  return diagrams::curl_section(scene);
-}
+
 diagrams::Section layers_of(const Scene& scene) {
   return diagrams::layer_section(*prepare(scene, load_scene_mesh(scene)), frames_of(scene));
 }
@@ -99,9 +94,9 @@ constexpr Kind kinds[] = {
     {"slices", "four slices of the fur's volume texture", slices_of, nullptr},
     {"lines", "the fur with the strands of the mass-spring model as white lines", lines_of, nullptr},
     {"wind", "the fur with a red arrow in the direction of the wind", wind_of, nullptr},
-    {"shape", "the factor f(h) of S Eq. 5 for five values of clump.shape", nullptr, shape_of},
+    {"shape", "the factor f(h) of S Eq. 5 for five values of clump.shape", nullptr, diagrams::shape_section},
     {"clump", "the strands of a clump in a vertical plane", nullptr, clump_of},
-    {"curl", "the curl of an upright strand for three wetnesses", nullptr, curl_of},
+    {"curl", "the curl of an upright strand for three wetnesses", nullptr, diagrams::curl_section},
     {"layers", "the layers over the cut of the mesh by the plane z = 0", nullptr, layers_of},
 };
 
@@ -129,47 +124,41 @@ int diagram(const DiagramOptions& options) {
 }  // namespace
 
 void add_diagram(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<DiagramOptions>();
-  CLI::App* command = app.add_subcommand(
-      "diagram", "Draw an inset, a section or an overlay of a scene (docs/experiments.md)");
+  auto [command, options] = add_command<DiagramOptions>(
+      app, chosen, "diagram", "Draw an inset, a section or an overlay of a scene (docs/experiments.md)",
+      diagram);
   std::string help;
   std::vector<std::string> names;
   for (const Kind& k : kinds) {
     names.emplace_back(k.name);
     help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", k.name, k.what);
   }
-  command->add_option("kind", options->kind, help)
-      ->required()
-      ->check(CLI::IsMember(names))
-      ->type_name("KIND");
-  add_scene_options(*command, options->scene, true);
+  command.add_option("kind", options.kind, help)->required()->check(CLI::IsMember(names))->type_name("KIND");
+  add_scene_options(command, options.scene, true);
   command
-      ->add_option(
-          "-o,--output", options->output,
-          "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn in "
-          "both formats, beside the .csv; - prints the table")
+      .add_option("-o,--output", options.output,
+                  "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn "
+                  "in both formats, beside the .csv; - prints the table")
       ->type_name("FILE")
       ->capture_default_str();
-  command->add_option("--side", options->side, "Pixels per side of the mask")
+  command.add_option("--side", options.side, "Pixels per side of the mask")
       ->check(CLI::Range(16, 8192))
       ->type_name("PIXELS")
       ->capture_default_str();
-  command->add_option("--most", options->most, "Largest number of strands that are drawn as lines")
+  command.add_option("--most", options.most, "Largest number of strands that are drawn as lines")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N")
       ->capture_default_str();
   command
-      ->add_option("--line-width", options->width,
-                   "Width of the lines of strands and of the arrow, in pixels")
+      .add_option("--line-width", options.width, "Width of the lines of strands and of the arrow, in pixels")
       ->check(CLI::Range(0.5, 50.0))
       ->type_name("PIXELS")
       ->capture_default_str();
   command
-      ->add_option(
-          "--device", options->device,
+      .add_option(
+          "--device", options.device,
           "Device that draws the fur of the kinds lines and wind: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
-  command->callback([options, &chosen] { chosen = [options] { return diagram(*options); }; });
 }
 
 }  // namespace pelage

@@ -2,9 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "harness/atomic_file.hpp"
 #include "harness/commands/commands.hpp"
@@ -47,17 +44,15 @@ int export_csv(const ExportOptions& options) {
 }  // namespace
 
 void add_export(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand("export", "Write recorded results as CSV");
-  command->add_option("results", options->results, "Folders with results, or journal files")
+  auto [command, options] =
+      add_command<ExportOptions>(app, chosen, "export", "Write recorded results as CSV", export_csv);
+  command.add_option("results", options.results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
-  command->add_option("--csv", options->csv, "Output file; - is standard output")
+  command.add_option("--csv", options.csv, "Output file; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command->add_flag("--raw", options->raw,
-                    "Write one line per sample instead of one line per case and phase");
-  command->callback([options, &chosen] { chosen = [options] { return export_csv(*options); }; });
+  command.add_flag("--raw", options.raw, "Write one line per sample instead of one line per case and phase");
 }
 
 }  // namespace pelage

@@ -1,6 +1,5 @@
 // pelage list: lists the experiments and their presets, or the cases of one experiment.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -85,24 +84,22 @@ int list_cases(const ListOptions& options) {
   return 0;
 }
 
+int list(const ListOptions& options) {
+  return options.experiment.empty() ? list_all(options.json) : list_cases(options);
+}
+
 }  // namespace
 
 void add_list(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<ListOptions>();
-  CLI::App* command = app.add_subcommand("list", "List the experiments, or the cases of one experiment");
+  auto [command, options] = add_command<ListOptions>(
+      app, chosen, "list", "List the experiments, or the cases of one experiment", list);
   command
-      ->add_option("experiment", options->experiment,
-                   "Experiment whose cases are listed: a name, or FILE.toml")
+      .add_option("experiment", options.experiment, "Experiment whose cases are listed: a name, or FILE.toml")
       ->type_name("EXPERIMENT|FILE.toml");
-  command->add_option("--preset", options->preset, "Preset whose cases are listed")
+  command.add_option("--preset", options.preset, "Preset whose cases are listed")
       ->type_name("NAME")
       ->capture_default_str();
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &chosen] {
-    chosen = [options] {
-      return options->experiment.empty() ? list_all(options->json) : list_cases(*options);
-    };
-  });
+  command.add_flag("--json", options.json, "Print JSON");
 }
 
 }  // namespace pelage

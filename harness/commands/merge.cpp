@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "harness/commands/commands.hpp"
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
@@ -24,48 +22,25 @@ struct MergeOptions {
   bool keep_apart = false, dry_run = false;
 };
 
-/// Returns the names of the expected cases of an experiment that was given with --expect.
-std::vector<std::string> expected_cases(const MergeOptions& options, const Experiment& experiment) {
-  const std::vector<Case> cases = filtered(
-      cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides()),
-      options.expected.filter);
-  if (cases.empty())
-    throw InputError(fmt::format("{}: --filter '{}': no case has a name that matches", experiment.name,
-                                 options.expected.filter));
-  std::vector<std::string> names;
-  names.reserve(cases.size());
-  for (const Case& which : cases) names.push_back(which.name);
-  return names;
-}
-
-/// Returns the overrides (values of --set, --axis and --model) that `pelage run` with the options
-/// `options.expected` would record in its rows.
-std::map<std::string, std::string> expected_overrides(const MergeOptions& options,
-                                                      const Experiment& experiment) {
-  return cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides())
-      .front()
-      .overrides;
-}
-
 /// Returns one line of text for each expected case that has no row, or only rows with the status `error`.
 std::vector<std::string> missing_cases(const MergeOptions& options, const std::vector<RunState>& states) {
   std::vector<std::string> lines;
   for (const std::string& name : options.expect) {
     const Experiment experiment = read_experiment(experiment_file(name));
-    const std::vector<std::string> cases = expected_cases(options, experiment);
-    const std::map<std::string, std::string> overrides = expected_overrides(options, experiment);
+    const std::vector<Case> cases = chosen_cases(experiment, options.expected.preset, options.expected.filter,
+                                                 options.expected.overrides());
     bool any = false;
     for (const RunState& state : states) {
-      if (state.experiment != experiment.name || state.overrides != overrides) continue;
+      if (state.experiment != experiment.name || state.overrides != cases.front().overrides) continue;
       any = true;
-      for (const std::string& which : cases)
-        if (!state.done.contains(which))
-          lines.push_back(fmt::format("{}\t{}\tcase {}: {}", experiment.name, state.where, which,
-                                      state.failed.contains(which) ? "ended with an error" : "no row"));
+      for (const Case& which : cases)
+        if (!state.done.contains(which.name))
+          lines.push_back(fmt::format("{}\t{}\tcase {}: {}", experiment.name, state.where, which.name,
+                                      state.failed.contains(which.name) ? "ended with an error" : "no row"));
     }
     if (!any)
-      for (const std::string& which : cases)
-        lines.push_back(fmt::format("{}\t-\tcase {}: no row", experiment.name, which));
+      for (const Case& which : cases)
+        lines.push_back(fmt::format("{}\t-\tcase {}: no row", experiment.name, which.name));
   }
   return lines;
 }
@@ -123,32 +98,28 @@ int merge_command(const MergeOptions& options) {
 }  // namespace
 
 void add_merge(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<MergeOptions>();
-  CLI::App* command = app.add_subcommand(
-      "merge", "Merge the rows of shards and runs into one folder, and print missing shards and cases");
-  command->add_option("output", options->output, "New folder for the merged results")
+  auto [command, options] = add_command<MergeOptions>(
+      app, chosen, "merge",
+      "Merge the rows of shards and runs into one folder, and print missing shards and cases", merge_command);
+  command.add_option("output", options.output, "New folder for the merged results")
       ->required()
       ->type_name("OUT");
-  command->add_option("results", options->results, "Folders with results, or journal files")
+  command.add_option("results", options.results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
-  command->add_flag(
-      "--keep-apart", options->keep_apart,
-      "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in OUT, instead "
-      "of refusing them");
-  command->add_flag("--dry-run", options->dry_run, "Print missing shards and cases, and write nothing");
-  CLI::Option* expect =
-      command
-          ->add_option(
-              "--expect", options->expect,
-              "Also print the cases of this experiment that were not measured; the next options select "
-              "its cases, as in pelage run")
-          ->allow_extra_args(false)
-          ->type_name("EXPERIMENT|FILE.toml");
-  declare_cases(*command, options->expected);
+  command.add_flag("--keep-apart", options.keep_apart,
+                   "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in "
+                   "OUT, instead of refusing them");
+  command.add_flag("--dry-run", options.dry_run, "Print missing shards and cases, and write nothing");
+  CLI::Option* expect = command
+                            .add_option("--expect", options.expect,
+                                        "Also print the cases of this experiment that were not measured; the "
+                                        "next options select its cases, as in pelage run")
+                            ->allow_extra_args(false)
+                            ->type_name("EXPERIMENT|FILE.toml");
+  declare_cases(command, options.expected);
   for (const char* name : {"--preset", "--model", "--up", "--set", "--axis", "--filter"})
-    command->get_option(name)->needs(expect);
-  command->callback([options, &chosen] { chosen = [options] { return merge_command(*options); }; });
+    command.get_option(name)->needs(expect);
 }
 
 }  // namespace pelage

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/geometric.hpp>
-#include <memory>
 #include <optional>
 #include <set>
 
@@ -123,8 +122,7 @@ void print_mesh(const Mesh& mesh) {
       q.area_low, q.area_median, q.area_high);
   fmt::print(
       "density of the fur (strands per surface area) / its mean: {:.2f} at the 5% quantile, {:.2f} at the "
-      "95% "
-      "quantile, {:.2f} times as much\n",
+      "95% quantile, {:.2f} times as much\n",
       q.area_5, q.area_95, q.area_5 > 0 ? q.area_95 / q.area_5 : 0.0);
   fmt::print(
       "surface length per unit of u: {:.3f}, per unit of v: {:.3f} (in radii R of the bounding sphere)\n",
@@ -154,39 +152,36 @@ int prepare_mesh(const MeshCommand& command) {
 }  // namespace
 
 void add_mesh(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<MeshCommand>();
-  CLI::App* command = app.add_subcommand(
-      "mesh", "Prepare a mesh; print its size, its topology and the quality of its UV map");
+  auto [command, options] = add_command<MeshCommand>(
+      app, chosen, "mesh", "Prepare a mesh; print its size, its topology and the quality of its UV map",
+      prepare_mesh);
   command
-      ->add_option("model", options->model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
+      .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();
-  command->add_option("-o,--output", options->output, "Write the prepared mesh as PLY with its UV map");
-  command->add_option("--faces", options->faces,
-                      "Simplify or refine the mesh to exactly this number of triangles");
+  command.add_option("-o,--output", options.output, "Write the prepared mesh as PLY with its UV map");
+  command.add_option("--faces", options.faces,
+                     "Simplify or refine the mesh to exactly this number of triangles");
   CLI::Option* keep =
-      command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
+      command.add_flag("--keep-uv", options.keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
-      ->add_flag(
-          "--even-uv", options->even_uv,
-          "Give a chart of its own to each part of the surface that the computed UV map shrinks or enlarges "
-          "by much, so that the density of the fur varies less")
+      .add_flag("--even-uv", options.even_uv,
+                "Give a chart of its own to each part of the surface that the computed UV map shrinks or "
+                "enlarges by much, so that the density of the fur varies less")
       ->excludes(keep);
   command
-      ->add_option("--components", options->components,
-                   "Connected components to keep: all that are closed or large, or only the largest")
+      .add_option("--components", options.components,
+                  "Connected components to keep: all that are closed or large, or only the largest")
       ->check(CLI::IsMember({"all", "largest"}))
       ->capture_default_str();
-  add_up_option(*command, options->up);
+  add_up_option(command, options.up);
   command
-      ->add_option(
-          "--rotate", options->rotate,
-          "Rotate the model about x, then y, then z by these angles in degrees, for instance -90,0,0")
+      .add_option("--rotate", options.rotate,
+                  "Rotate the model about x, then y, then z by these angles in degrees, for instance -90,0,0")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");
-  command->add_option("--atlas", options->atlas,
-                      "Draw the UV map with its charts, seams and flipped faces as a picture");
-  command->callback([options, &chosen] { chosen = [options] { return prepare_mesh(*options); }; });
+  command.add_option("--atlas", options.atlas,
+                     "Draw the UV map with its charts, seams and flipped faces as a picture");
 }
 
 }  // namespace pelage

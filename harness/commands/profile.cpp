@@ -7,8 +7,8 @@
 #include "harness/atomic_file.hpp"
 #include "harness/cl/measure.hpp"
 #include "harness/commands/commands.hpp"
+#include "harness/commands/run_options.hpp"
 #include "harness/commands/scene_options.hpp"
-#include "harness/experiment/experiment.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/record/results_folder.hpp"
 #include "harness/report/plot.hpp"
@@ -86,17 +86,15 @@ std::optional<FrameWork> work_of(const Experiment& experiment, const Case& which
   }
   if (!all_hold(which, backend->checks(backend->read(), 1))) return {};
   const BackendWork work = backend->work();
-  return FrameWork{which.name,   double(mesh->triangle.size()),       median(wall), work.covered, work.shaded,
-                   work.blended, kernels_of(timings)};
+  return FrameWork{which.name,         double(mesh->triangle.size()),
+                   median(wall),       work.covered,
+                   work.shaded,        work.blended,
+                   kernels_of(timings)};
 }
 
 int profile(const ProfileOptions& options) {
   const Experiment experiment = read_experiment(experiment_file(options.experiment));
-  const std::vector<Case> cases =
-      filtered(cases_of(experiment, preset_of(experiment, options.preset)), options.filter);
-  if (cases.empty())
-    throw InputError(fmt::format("--filter '{}': no case of {} with preset {} has a name that matches",
-                                 options.filter, experiment.name, options.preset));
+  const std::vector<Case> cases = chosen_cases(experiment, options.preset, options.filter);
   BackendOptions how{.mapping = options.mapping};
   if (options.tuning != "defaults") how.tuning = read_tuning(options.tuning);
   const fs::path folder = options.output;
@@ -132,44 +130,41 @@ int profile(const ProfileOptions& options) {
 }  // namespace
 
 void add_profile(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<ProfileOptions>();
-  CLI::App* command = app.add_subcommand(
-      "profile",
-      "Time the kernels of a frame, and compare their rates with the memory bandwidth of the device");
+  auto [command, options] = add_command<ProfileOptions>(
+      app, chosen, "profile",
+      "Time the kernels of a frame, and compare their rates with the memory bandwidth of the device",
+      profile);
   command
-      ->add_option("experiment", options->experiment,
-                   "Experiment whose scenes are drawn: a name that `pelage list` shows, or FILE.toml")
+      .add_option("experiment", options.experiment,
+                  "Experiment whose scenes are drawn: a name that `pelage list` shows, or FILE.toml")
       ->type_name("EXPERIMENT|FILE.toml")
       ->capture_default_str();
-  command->add_option("--preset", options->preset, "Preset of the experiment; its cases are timed")
+  command.add_option("--preset", options.preset, "Preset of the experiment; its cases are timed")
       ->type_name("NAME")
       ->capture_default_str();
   command
-      ->add_option("--filter", options->filter,
-                   "Use only the cases whose names match this regular expression")
+      .add_option("--filter", options.filter, "Use only the cases whose names match this regular expression")
       ->type_name("REGEX")
       ->capture_default_str();
-  command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
+  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command
-      ->add_option("--mapping", options->mapping,
-                   "Mapping of pixels to work-items (default: depends on the device): " + mappings_help())
+      .add_option("--mapping", options.mapping,
+                  "Mapping of pixels to work-items (default: depends on the device): " + mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME")
       ->capture_default_str();
   command
-      ->add_option("--tuning", options->tuning,
-                   "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote")
+      .add_option("--tuning", options.tuning,
+                  "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote")
       ->type_name("defaults|FILE")
       ->capture_default_str();
   command
-      ->add_option("--frames", options->frames,
-                   "Number of timed frames; the median of their times is reported")
+      .add_option("--frames", options.frames, "Number of timed frames; the median of their times is reported")
       ->type_name("N")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "Folder for the table and the plot")->type_name("DIR");
-  command->callback([options, &chosen] { chosen = [options] { return profile(*options); }; });
+  command.add_option("-o,--output", options.output, "Folder for the table and the plot")->type_name("DIR");
 }
 
 }  // namespace pelage

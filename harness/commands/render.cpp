@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "harness/commands/commands.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
@@ -13,6 +15,14 @@ struct RenderOptions {
   std::string output, dump;
   RendererOptions renderer;
 };
+
+/// Prints the name of the device and the time of its first frame, which has no warm-up, unless the pipeline
+/// runs on the host.
+void report_first_frame(const Renderer& renderer) {
+  if (renderer.device().empty()) return;
+  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
+             renderer.device(), renderer.ms());
+}
 
 int render(const RenderOptions& options) {
   check_picture_path(options.output);
@@ -32,17 +42,15 @@ int render(const RenderOptions& options) {
 }  // namespace
 
 void add_render(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "Draw one picture of a scene");
-  add_scene_options(*command, options->scene, true);
-  command->add_option("-o,--output", options->output, "Picture to write: .png (8-bit), .exr or .tif (float)")
+  auto [command, options] =
+      add_command<RenderOptions>(app, chosen, "render", "Draw one picture of a scene", render);
+  add_scene_options(command, options.scene, true);
+  command.add_option("-o,--output", options.output, "Picture to write: .png (8-bit), .exr or .tif (float)")
       ->required()
       ->type_name("IMAGE");
-  add_renderer_options(*command, options->renderer);
-  command
-      ->add_option("--dump", options->dump, "Write all inputs and intermediate arrays of the frame as HDF5")
+  add_renderer_options(command, options.renderer);
+  command.add_option("--dump", options.dump, "Write all inputs and intermediate arrays of the frame as HDF5")
       ->type_name("FRAME.h5");
-  command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 
 }  // namespace pelage

@@ -49,11 +49,10 @@ void add_renderer_options(CLI::App& command, RendererOptions& options) {
                   "Implementation choices of the OpenGL baseline: name=value,name=value (docs/baselines.md)")
       ->type_name("OPTIONS");
   command
-      .add_option(
-          "--mapping", options.mapping,
-          "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the "
-          "device; strands have tile and group): " +
-              mappings_help())
+      .add_option("--mapping", options.mapping,
+                  "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on "
+                  "the device; strands have tile and group): " +
+                      mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, or part of its name")
@@ -66,8 +65,7 @@ void add_renderer_options(CLI::App& command, RendererOptions& options) {
       ->capture_default_str();
   command.add_flag(
       "--strict", options.strict,
-      "End with status 2 instead of a warning, for instance if the pipeline does not use a key of "
-      "the scene");
+      "End with status 2 instead of a warning, for instance if the pipeline does not use a key of the scene");
 }
 
 const std::string& pipeline_of(const RendererOptions& options, const Scene& scene) {
@@ -102,12 +100,6 @@ std::shared_ptr<const Mesh> load_drawn_mesh(const RendererOptions& options, cons
   if (const auto warnings = uv_warnings(*mesh); options.strict && !warnings.empty())
     warn(options, fmt::format("{}: {}", mesh->name, fmt::join(warnings, "; ")));
   return mesh;
-}
-
-void report_first_frame(const Renderer& renderer) {
-  if (renderer.device().empty()) return;
-  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
-             renderer.device(), renderer.ms());
 }
 
 }  // namespace pelage

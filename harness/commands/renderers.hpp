@@ -33,8 +33,4 @@ std::unique_ptr<Renderer> open_renderer(const RendererOptions& options, const Sc
 /// Throws InputError for defects if warnings are errors.
 std::shared_ptr<const Mesh> load_drawn_mesh(const RendererOptions& options, const Scene& scene);
 
-/// Prints the name of the device and the time of its first frame, which has no warm-up, unless the pipeline
-/// runs on the host.
-void report_first_frame(const Renderer& renderer);
-
 }  // namespace pelage

@@ -77,22 +77,19 @@ int report(const ReportOptions& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand(
-      "report",
-      "Write tables, plots and a page from results; the page is one HTML file that needs no network");
-  command->add_option("results", options->results, "Folders with results, or journal files")
+  auto [command, options] = add_command<ReportOptions>(
+      app, chosen, "report",
+      "Write tables, plots and a page from results; the page is one HTML file that needs no network", report);
+  command.add_option("results", options.results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
-  command->add_option("-o,--output", options->output, "Folder of the report")->required()->type_name("DIR");
+  command.add_option("-o,--output", options.output, "Folder of the report")->required()->type_name("DIR");
   command
-      ->add_option(
-          "--view", options->views,
-          "Experiment file whose table [report] replaces the one that the rows of this experiment recorded; "
-          "may be given several times")
+      .add_option("--view", options.views,
+                  "Experiment file whose table [report] replaces the one that the rows of this experiment "
+                  "recorded; may be given several times")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  command->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 
 }  // namespace pelage

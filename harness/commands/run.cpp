@@ -76,12 +76,8 @@ void take_shard(Sweep& sweep, const RunOptions& options) {
 Sweep plan_sweep(const RunOptions& options, const fs::path& file, std::uint64_t seed) {
   Sweep sweep;
   sweep.experiment = read_experiment(file);
-  const Preset& preset = preset_of(sweep.experiment, options.preset);
-  sweep.limits = preset.limits;
-  sweep.cases = filtered(cases_of(sweep.experiment, preset, options.overrides()), options.filter);
-  if (sweep.cases.empty())
-    throw InputError(fmt::format("{}: --filter '{}': no case has a name that matches", sweep.experiment.name,
-                                 options.filter));
+  sweep.limits = preset_of(sweep.experiment, options.preset).limits;
+  sweep.cases = chosen_cases(sweep.experiment, options.preset, options.filter, options.overrides());
   for (const std::string& warning : view_warnings(sweep.experiment.view, sweep.cases.front().axes))
     fmt::print(stderr, "pelage: warning: {}: {}\n", sweep.experiment.file.string(), warning);
   take_shard(sweep, options);
@@ -191,6 +187,7 @@ std::string told(const Row& row) {
 RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::Device& device,
                      const std::string& device_file, bool several, const fs::path& folder, double budget_s,
                      std::uint64_t seed, const std::map<std::string, int>& tuning) {
+  const Shard shard = options.shard_or_all();
   RunPlan plan;
   plan.run_id = fmt::format("{}-{}", utc_stamp(), getpid());
   plan.experiment = sweep.experiment.name;
@@ -214,8 +211,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   }
   // pelage merge reads the following entries to find out which shards and cases are missing.
   if (!options.shard.empty()) {
-    plan.provenance["shard"] =
-        fmt::format("{}/{}", options.shard_or_all().index, options.shard_or_all().count);
+    plan.provenance["shard"] = fmt::format("{}/{}", shard.index, shard.count);
     plan.provenance["shard_deal"] = sweep.deal;
   }
   plan.provenance["shard_cases"] = plan.cases.size();
@@ -231,12 +227,10 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   };
   plan.identity = [&](const Case& which) { return case_identity(*context, which, plan.limits); };
 
-  const std::string shard = options.shard.empty() ? ""
-                                                  : fmt::format(".{}-of-{}", options.shard_or_all().index,
-                                                                options.shard_or_all().count);
   const fs::path file =
       place / fmt::format("{}@{}{}.jsonl", device_file,
-                          file_name_of(plan.provenance.at("host").get<std::string>()), shard);
+                          file_name_of(plan.provenance.at("host").get<std::string>()),
+                          options.shard.empty() ? "" : fmt::format(".{}-of-{}", shard.index, shard.count));
   const bool resume = !options.resume.empty();
   Journal journal(file, resume ? Journal::Mode::resume : Journal::Mode::fresh);
   refuse_other_run(journal, plan, resume);
@@ -345,7 +339,8 @@ void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
         options.balance, folder.string()));
 }
 
-int run_command(const RunOptions& options) {
+int run_command(const RunOptions& given) {
+  const RunOptions options = checked(given);
   const fs::path folder = options.folder();
   refuse_recordings(folder);
   refuse_growing_balance(options, folder);
@@ -360,15 +355,9 @@ int run_command(const RunOptions& options) {
 }  // namespace
 
 void add_run(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Time the cases of an experiment and check every picture");
-  declare(*command, *options);
-  command->callback([options, &chosen] {
-    chosen = [options] {
-      check_options(*options);
-      return run_command(*options);
-    };
-  });
+  auto [command, options] = add_command<RunOptions>(
+      app, chosen, "run", "Time the cases of an experiment and check every picture", run_command);
+  declare(command, options);
 }
 
 }  // namespace pelage

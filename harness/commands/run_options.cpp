@@ -77,10 +77,9 @@ fs::path RunOptions::folder() const {
 
 void declare_cases(CLI::App& command, RunOptions& options) {
   command
-      .add_option(
-          "--preset", options.preset,
-          "Preset: smoke runs for a few seconds; quick times every case with few samples; paper takes as "
-          "many samples as a publication needs")
+      .add_option("--preset", options.preset,
+                  "Preset: smoke runs for a few seconds; quick times every case with few samples; paper "
+                  "takes as many samples as a publication needs")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
@@ -108,10 +107,9 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--shard", options.shard, "Run only every n-th case, beginning with case i (from 0)")
       ->type_name("i/n");
   command
-      .add_option(
-          "--balance", options.balance,
-          "With --shard: use the times in these earlier results to divide the cases into shards that take "
-          "about the same time")
+      .add_option("--balance", options.balance,
+                  "With --shard: use the times in these earlier results to divide the cases into shards that "
+                  "take about the same time")
       ->type_name("RESULTS");
   command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
       ->type_name("N")
@@ -157,11 +155,10 @@ void declare(CLI::App& command, RunOptions& options) {
                   "have equal hardware, give all of them the same name, so that their rows are in one table")
       ->type_name("NAME");
   command
-      .add_option(
-          "--quiet-machine", options.quiet_machine,
-          "Before each case, measure for one second whether other processes use more than 10% of the "
-          "machine's CPU time. If they do, warn prints a warning, and require waits until they use less; "
-          "if they still use more after a minute, require ends the run with code 1")
+      .add_option("--quiet-machine", options.quiet_machine,
+                  "Before each case, measure for one second whether other processes use more than 10% of the "
+                  "machine's CPU time. If they do, warn prints a warning, and require waits until they use "
+                  "less; if they still use more after a minute, require ends the run with code 1")
       ->check(CLI::IsMember({"warn", "require"}))
       ->type_name("warn|require");
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
@@ -169,7 +166,7 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--repeat-index", options.repeat_index)->group("");
 }
 
-void check_options(RunOptions& options) {
+RunOptions checked(RunOptions options) {
   options.argv = own_argv();
   if (!options.output.empty() && !options.resume.empty())
     throw InputError("give -o or --resume, but not both; --resume DIR also writes into DIR");
@@ -181,6 +178,16 @@ void check_options(RunOptions& options) {
   if (!options.balance.empty() && options.shard.empty())
     throw InputError("--balance divides the cases among shards; give also --shard i/n, such as --shard 0/4");
   options.overrides();
+  return options;
+}
+
+std::vector<Case> chosen_cases(const Experiment& experiment, const std::string& preset,
+                               const std::string& filter, const Overrides& overrides) {
+  std::vector<Case> cases = filtered(cases_of(experiment, preset_of(experiment, preset), overrides), filter);
+  if (cases.empty())
+    throw InputError(fmt::format("{}: --filter '{}': no case of the preset {} has a name that matches",
+                                 experiment.name, filter, preset));
+  return cases;
 }
 
 int run_repeats(const RunOptions& options, const fs::path& folder) {

@@ -37,9 +37,13 @@ void declare(CLI::App& command, RunOptions& options);
 /// --filter.
 void declare_cases(CLI::App& command, RunOptions& options);
 
-/// Fills options.argv. Throws InputError for options that contradict each other, are malformed, or name a
-/// missing file or folder.
-void check_options(RunOptions& options);
+/// Returns the options with argv. Throws InputError for options that contradict each other, are malformed, or
+/// name a missing file or folder.
+RunOptions checked(RunOptions options);
+
+/// Returns the cases of the preset whose names match `filter`. Throws InputError if there are none.
+std::vector<Case> chosen_cases(const Experiment& experiment, const std::string& preset,
+                               const std::string& filter, const Overrides& overrides = {});
 
 /// Runs this program in options.repeat new processes, one after another. Each process has its own
 /// --repeat-index. Returns the first exit code that is not 0, or 0 if every process ended with 0. After an

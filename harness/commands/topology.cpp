@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -108,24 +107,23 @@ int count_springs(const TopologyCommand& command) {
 }  // namespace
 
 void add_topology(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<TopologyCommand>();
-  CLI::App* command = app.add_subcommand(
-      "topology",
-      "Print the masses, springs and memory of each topology over a model, and draw the topologies");
+  auto [command, options] = add_command<TopologyCommand>(
+      app, chosen, "topology",
+      "Print the masses, springs and memory of each topology over a model, and draw the topologies",
+      count_springs);
   command
-      ->add_option("model", options->model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
+      .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();
-  command->add_option("--faces", options->faces,
-                      "Simplify or refine the mesh to exactly this number of triangles");
-  add_up_option(*command, options->up);
-  command->add_option("--draw", options->drawing, "Draw the four topologies into this file")
+  command.add_option("--faces", options.faces,
+                     "Simplify or refine the mesh to exactly this number of triangles");
+  add_up_option(command, options.up);
+  command.add_option("--draw", options.drawing, "Draw the four topologies into this file")
       ->type_name("PICTURE.svg");
   command
-      ->add_option("--length", options->length,
-                   "Length of the sticks in the drawing, in radii of the bounding sphere")
+      .add_option("--length", options.length,
+                  "Length of the sticks in the drawing, in radii of the bounding sphere")
       ->check(CLI::Range(0.001f, 10.0f))
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return count_springs(*options); }; });
 }
 
 }  // namespace pelage

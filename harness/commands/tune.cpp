@@ -8,8 +8,8 @@
 #include "harness/atomic_file.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/commands/commands.hpp"
+#include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
-#include "harness/experiment/experiment.hpp"
 #include "harness/measure/provenance.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
@@ -93,11 +93,7 @@ int tune(const TuneOptions& options) {
   axes.reserve(stages.size());
   for (const std::string& stage : stages) axes.push_back(tuning_axes(stage));
   const Experiment experiment = read_experiment(experiment_file("silva2010-table1"));
-  const std::vector<Case> cases =
-      filtered(cases_of(experiment, preset_of(experiment, options.preset)), options.filter);
-  if (cases.empty())
-    throw InputError(fmt::format("--filter '{}': no case of {} with preset {} has a name that matches",
-                                 options.filter, experiment.name, options.preset));
+  const std::vector<Case> cases = chosen_cases(experiment, options.preset, options.filter);
   const cl::Device device = cl::choose_device(options.device);
   const fs::path file = options.output.empty()
                             ? fs::path("pelage-tuning") / (file_name_of(device.info().name) + ".toml")
@@ -146,36 +142,34 @@ int tune(const TuneOptions& options) {
 }  // namespace
 
 void add_tune(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<TuneOptions>();
-  CLI::App* command = app.add_subcommand(
-      "tune", "Search, check and store the fastest values of the kernels' tuning axes on a device");
-  command->add_option("stages", options->stages, "Stages to tune: rasterize, simulate, wet (default: all)")
+  auto [command, options] = add_command<TuneOptions>(
+      app, chosen, "tune",
+      "Search, check and store the fastest values of the kernels' tuning axes on a device", tune);
+  command.add_option("stages", options.stages, "Stages to tune: rasterize, simulate, wet (default: all)")
       ->type_name("STAGE");
-  command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
+  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command
-      ->add_option("--preset", options->preset,
-                   "Preset of silva2010-table1 whose cases are timed: smoke, quick, paper")
+      .add_option("--preset", options.preset,
+                  "Preset of silva2010-table1 whose cases are timed: smoke, quick, paper")
       ->type_name("NAME")
       ->capture_default_str();
   command
-      ->add_option("--filter", options->filter,
-                   "Use only the cases whose names match this regular expression")
+      .add_option("--filter", options.filter, "Use only the cases whose names match this regular expression")
       ->type_name("REGEX")
       ->capture_default_str();
   command
-      ->add_option("--rounds", options->rounds,
-                   "Number of rounds in which each candidate is timed on each scene")
+      .add_option("--rounds", options.rounds,
+                  "Number of rounds in which each candidate is timed on each scene")
       ->type_name("N")
       ->check(CLI::Range(6, 1000))
       ->capture_default_str();
   command
-      ->add_option("-o,--output", options->output,
-                   "File in which the values are stored; values of other stages in it are kept (default: "
-                   "pelage-tuning/DEVICE.toml)")
+      .add_option("-o,--output", options.output,
+                  "File in which the values are stored; values of other stages in it are kept (default: "
+                  "pelage-tuning/DEVICE.toml)")
       ->type_name("FILE");
-  command->add_flag("--dry-run", options->dry_run, "Print the axes without running anything");
-  command->callback([options, &chosen] { chosen = [options] { return tune(*options); }; });
+  command.add_flag("--dry-run", options.dry_run, "Print the axes without running anything");
 }
 
 }  // namespace pelage

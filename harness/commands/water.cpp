@@ -57,24 +57,23 @@ int follow_water(const WaterOptions& options) {
 }  // namespace
 
 void add_water(CLI::App& app, Chosen& chosen) {
-  auto options = std::make_shared<WaterOptions>();
-  CLI::App* command = app.add_subcommand("water", "Write where the water of a scene is over time, as CSV");
-  add_scene_options(*command, options->scene, false);
-  command->add_option("--to", options->to, "Time of the last line, s; the first line is at 0")
+  auto [command, options] = add_command<WaterOptions>(
+      app, chosen, "water", "Write where the water of a scene is over time, as CSV", follow_water);
+  add_scene_options(command, options.scene, false);
+  command.add_option("--to", options.to, "Time of the last line, s; the first line is at 0")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
-  command->add_option("--fps", options->fps, "Number of lines per second")
+  command.add_option("--fps", options.fps, "Number of lines per second")
       ->type_name("F")
       ->check(CLI::Range(0.001, 1000.0))
       ->capture_default_str();
   command
-      ->add_option("--csv", options->csv,
-                   "Output file (.csv); a file .svg or .pdf is drawn in both formats, beside the .csv; - is "
-                   "standard output")
+      .add_option("--csv", options.csv,
+                  "Output file (.csv); a file .svg or .pdf is drawn in both formats, beside the .csv; - is "
+                  "standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return follow_water(*options); }; });
 }
 
 }  // namespace pelage

@@ -1,44 +1,12 @@
 // Tests `pelage animate`: its frames are the pictures of `pelage render`, an interrupted animation is
 // continued to the same files, and bad usage is refused.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
 #include "tests/cli/document.hpp"
+#include "tests/cli/frames.hpp"
 
 namespace pelage::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string frame_of(int frame) {
-  return fmt::format("frames/frame-{:05}.png", frame);
-}
-
-/// Draws an animation and the picture of each frame with `pelage render`. Expects the same files. Returns the
-/// number of different pictures.
-std::size_t expect_rendered_frames(const Folder& folder, const std::string& scene, double from, double fps,
-                                   int count) {
-  const Outcome animated = pelage(
-      folder, fmt::format("animate {} -o frames --from {} --fps {} --frames {}", scene, from, fps, count));
-  EXPECT_EQ(animated.code, 0) << animated.err;
-  std::set<std::string> pictures;
-  for (int frame = 0; frame < count; ++frame) {
-    const auto time = static_cast<float>(from + frame / fps);
-    const Outcome rendered =
-        pelage(folder, fmt::format("render {} --set dynamics.time={} -o one.png", scene, time));
-    EXPECT_EQ(rendered.code, 0) << rendered.err;
-    const std::string picture = folder.read("one.png");
-    EXPECT_FALSE(picture.empty());
-    EXPECT_TRUE(folder.read(frame_of(frame)) == picture)
-        << scene << ", frame " << frame << " at " << time << " s";
-    pictures.insert(picture);
-  }
-  EXPECT_FALSE(fs::exists(folder.path() / frame_of(count)));
-  return pictures.size();
-}
 
 const std::string small = " --model torus-16x8 --size 64x48 --set fur.layers=8 --set fur.texture=64";
 const std::string wind =
@@ -62,13 +30,12 @@ TEST(Animate, FramesOfMassSpringsAreThoseOfRender) {
   const Folder folder, adaptive;
   const std::string grass = "grass-waving --size 64x48 --set fur.layers=8";
   EXPECT_EQ(expect_rendered_frames(folder, grass, 0.2, 10, 4), 4u);
-  EXPECT_EQ(
-      expect_rendered_frames(adaptive,
-                             "grass-return --size 64x48 --set fur.layers=8 --set dynamics.solver=explicit-"
-                             "euler --set dynamics.step=0.001 --set dynamics.substeps=16 --set "
-                             "dynamics.tolerance=0.01",
-                             0.1, 20, 3),
-      3u);
+  EXPECT_EQ(expect_rendered_frames(
+                adaptive,
+                "grass-return --size 64x48 --set fur.layers=8 --set dynamics.solver=explicit-euler --set "
+                "dynamics.step=0.001 --set dynamics.substeps=16 --set dynamics.tolerance=0.01",
+                0.1, 20, 3),
+            3u);
 }
 
 TEST(Animate, FramesOfAMovingCameraAreThoseOfRender) {
@@ -83,22 +50,20 @@ TEST(Animate, FramesOfAMovingCameraAreThoseOfRender) {
 
 TEST(Animate, FramesOfKeyframesThatChangeTheFurAreThoseOfRender) {
   const Folder folder;
-  folder.write(
-      "fur.toml",
-      "[keyframes]\n\"dynamics.wind.strength\" = [[0.0, 0.0], [0.5, 0.02]]\n\"wetness.random\" = [[0, "
-      "0], [0.3, 200]]\n\"camera.direction\" = [[0.2, [1, 1, 2]], [0.4, [-1, 1, 2]]]\n");
+  folder.write("fur.toml",
+               "[keyframes]\n\"dynamics.wind.strength\" = [[0.0, 0.0], [0.5, 0.02]]\n\"wetness.random\" = "
+               "[[0, 0], [0.3, 200]]\n\"camera.direction\" = [[0.2, [1, 1, 2]], [0.4, [-1, 1, 2]]]\n");
   EXPECT_EQ(expect_rendered_frames(folder, "fur.toml" + small, 0, 10, 6), 6u);
 }
 
 TEST(Animate, FramesOfStrandsAreThoseOfRender) {
   const Folder folder;
-  folder.write(
-      "strands.toml",
-      "model = \"torus-16x8\"\nstrands.layer = [{ count = 3000, length = 0.2 }, { count = 500, length = "
-      "0.4 }]\n[keyframes]\n\"strands.fraction\" = [[0.0, 1.0], [0.5, 0.2]]\n"
-      "\"camera.direction\" = [[0.1, [1, 0, 2]], [0.5, [2, 0, 1]]]\n"
-      "\"shading.ambient\" = [[0.0, 0.2], [0.5, 0.4]]\n"
-      "\"strands.shadow\" = [[0.0, \"linear\"], [0.35, \"exp\"]]\n");
+  folder.write("strands.toml",
+               "model = \"torus-16x8\"\nstrands.layer = [{ count = 3000, length = 0.2 }, { count = 500, "
+               "length = 0.4 }]\n[keyframes]\n\"strands.fraction\" = [[0.0, 1.0], [0.5, 0.2]]\n"
+               "\"camera.direction\" = [[0.1, [1, 0, 2]], [0.5, [2, 0, 1]]]\n"
+               "\"shading.ambient\" = [[0.0, 0.2], [0.5, 0.4]]\n"
+               "\"strands.shadow\" = [[0.0, \"linear\"], [0.35, \"exp\"]]\n");
   const std::string scene = "strands.toml --pipeline strands --size 64x48" + wind;
   EXPECT_EQ(expect_rendered_frames(folder, scene, 0, 10, 6), 6u);
 }
@@ -119,7 +84,7 @@ const std::string long_animation = "animate wet-curls" + small + wind + " --fps 
 
 TEST(Animate, KilledAndContinuedItHasTheSameFiles) {
   const Folder folder;
-  ASSERT_EQ(pelage(folder, long_animation + "whole").code, 0) << folder.read("stderr");
+  done(folder, long_animation + "whole");
   ASSERT_EQ(run_in(folder, fmt::format("pelage {} part & id=$!\n"
                                        "until test -e part/frame-00002.png; do sleep 0.01; done\n"
                                        "kill -9 $id; wait $id || test $? = 137\n",
@@ -129,19 +94,13 @@ TEST(Animate, KilledAndContinuedItHasTheSameFiles) {
   ASSERT_FALSE(fs::exists(folder.path() / "part/frame-00199.png"));
   const std::string first = folder.read("part/frame-00000.png");
   const auto drawn = fs::last_write_time(folder.path() / "part/frame-00000.png");
-  const Outcome refused = pelage(folder, long_animation + "part");
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_EQ(
-      refused.err,
-      "pelage: part: already contains frames: continue with --resume, or give another folder with -o\n");
-  const Outcome other = pelage(folder, long_animation + "part --resume --set fur.length=0.1");
-  EXPECT_EQ(other.code, 2);
-  EXPECT_NE(other.err.find("part/animation.txt: the frames were drawn with \"scene: "), std::string::npos)
-      << other.err;
+  expect_refused(
+      pelage(folder, long_animation + "part"),
+      "pelage: part: already contains frames: continue with --resume, or give another folder with -o");
+  expect_refused(pelage(folder, long_animation + "part --resume --set fur.length=0.1"),
+                 "part/animation.txt: the frames were drawn with \"scene: ");
 
-  const Outcome resumed = pelage(folder, long_animation + "part --resume");
-  EXPECT_EQ(resumed.code, 0) << resumed.err;
-  EXPECT_NE(resumed.err.find(" kept\n"), std::string::npos) << resumed.err;
+  expect_has(done(folder, long_animation + "part --resume").err, " kept\n");
   EXPECT_EQ(fs::last_write_time(folder.path() / "part/frame-00000.png"), drawn);
   expect_same_files(folder, "whole", "part");
 }
@@ -155,9 +114,8 @@ TEST(Animate, InterruptedItEndsWithItsCodeAndWholeFrames) {
                                          long_animation, signal, signal, signal, code)),
               0)
         << folder.read("stderr");
-    EXPECT_NE(folder.read("stderr").find("interrupted; finished frames are kept; continue with --resume"),
-              std::string::npos);
-    ASSERT_EQ(pelage(folder, long_animation + signal + " --resume").code, 0) << folder.read("stderr");
+    expect_has(folder.read("stderr"), "interrupted; finished frames are kept; continue with --resume");
+    done(folder, long_animation + signal + " --resume");
   }
   expect_same_files(folder, "INT", "TERM");
 }
@@ -165,11 +123,10 @@ TEST(Animate, InterruptedItEndsWithItsCodeAndWholeFrames) {
 TEST(Animate, ALongerAnimationKeepsTheFrames) {
   const Folder folder;
   const std::string scene = "animate wet-curls" + small + wind + " -o frames --fps 10 ";
-  ASSERT_EQ(pelage(folder, scene + "--to 0.3").code, 0) << folder.read("stderr");
-  const Outcome longer = pelage(folder, scene + "--to 0.5 --resume");
-  EXPECT_EQ(longer.code, 0);
-  EXPECT_NE(longer.err.find("frames: 2 frames drawn, 4 kept"), std::string::npos) << longer.err;
-  EXPECT_NE(longer.err.find("5/6 frame-00004.png, 0.400 s: drawn in "), std::string::npos) << longer.err;
+  done(folder, scene + "--to 0.3");
+  const Outcome longer = done(folder, scene + "--to 0.5 --resume");
+  expect_has(longer.err, "frames: 2 frames drawn, 4 kept");
+  expect_has(longer.err, "5/6 frame-00004.png, 0.400 s: drawn in ");
 }
 
 TEST(Animate, RefusesBadUsageBeforeItDraws) {
@@ -192,12 +149,7 @@ TEST(Animate, RefusesBadUsageBeforeItDraws) {
       {"animate wet -o f --to 1 --pipeline magic", "--pipeline"},
       {"animate wet -o f --to 1 --reference-bits 8", "add --pipeline reference"},
   };
-  for (const auto& [arguments, message] : refused) {
-    const Outcome outcome = pelage(folder, arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << arguments << "\n" << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  }
+  for (const auto& [arguments, message] : refused) expect_refused(pelage(folder, arguments), message);
   EXPECT_FALSE(fs::exists(folder.path() / "f"));
 }
 
@@ -216,22 +168,20 @@ TEST(Animate, JoinsTheFramesWithFfmpeg) {
   const Folder folder;
   const std::string path = with_fake_ffmpeg(folder);
   const std::string scene = "animate wet" + small + " -o frames --frames 3 --fps 60 ";
-  const Outcome drawn = pelage(folder, scene + "--gif a.gif --mp4 frames/a.mp4", path);
-  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  done(folder, scene + "--gif a.gif --mp4 frames/a.mp4", path);
   EXPECT_EQ(folder.read("a.gif"), "video");
   EXPECT_EQ(folder.read("frames/a.mp4"), "video");
   const std::string arguments = folder.read("arguments");
   for (const char* part : {"/frames\n", "\n-framerate\n60\n", "\n-i\nframe-%05d.png\n",
                            "\ntrim=end_frame=3,fps=50,split[a][b];[a]palettegen[p];[b][p]paletteuse\n",
                            "\ntrim=end_frame=3,pad=ceil(iw/2)*2:ceil(ih/2)*2\n", "\nyuv420p\n"})
-    EXPECT_NE(arguments.find(part), std::string::npos) << part << "\n" << arguments;
+    expect_has(arguments, part);
 
   // If ffmpeg fails, its last message is shown, and the former file stays.
   folder.write("bin/ffmpeg", "#!/bin/sh\necho first; echo no space left >&2; exit 4\n");
   const Outcome failed = pelage(folder, scene + "--resume --gif a.gif", path);
   EXPECT_EQ(failed.code, 1);
-  EXPECT_NE(failed.err.find("a.gif: ffmpeg failed with the exit code 4: no space left"), std::string::npos)
-      << failed.err;
+  expect_has(failed.err, "a.gif: ffmpeg failed with the exit code 4: no space left");
   EXPECT_EQ(folder.read("a.gif"), "video");
 }
 
@@ -241,13 +191,10 @@ TEST(Animate, WithoutFfmpegAVideoIsRefusedBeforeItDraws) {
   ASSERT_EQ(run_in(folder, "ln -s \"$(command -v timeout)\" bin/timeout"), 0);
   const std::string path = fmt::format("PATH='{}'", (folder.path() / "bin").string());
   for (const char* option : {"--gif a.gif", "--mp4 a.mp4"}) {
-    const Outcome outcome =
-        pelage(folder, fmt::format("animate wet {} -o frames --frames 2 {}", small, option), path);
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.err,
-              fmt::format("pelage: {}: needs the program ffmpeg, which is not installed (Debian package: "
-                          "ffmpeg); frames need no ffmpeg\n",
-                          option));
+    expect_refused(pelage(folder, fmt::format("animate wet {} -o frames --frames 2 {}", small, option), path),
+                   fmt::format("pelage: {}: needs the program ffmpeg, which is not installed (Debian "
+                               "package: ffmpeg); frames need no ffmpeg",
+                               option));
     EXPECT_FALSE(fs::exists(folder.path() / "frames"));
   }
 }

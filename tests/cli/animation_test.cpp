@@ -47,7 +47,7 @@ TEST(Animation, TheCommandsDrawFramesThatMoveAndJoin) {
     ASSERT_EQ(run_in(folder, command), 0) << folder.read("stderr");
     EXPECT_EQ(different(folder, "frames", 4), 4u);
   }
-  EXPECT_NE(folder.read("stderr").find("0 frames drawn, 4 kept"), std::string::npos);  // with --resume
+  expect_has(folder.read("stderr"), "0 frames drawn, 4 kept");  // with --resume
 
   ASSERT_EQ(blocks[2].language, "toml");  // the keyframes of a scene
   folder.write("keyframes.toml", blocks[2].text + "[strands]\nlayer = [{ count = 2000, length = 0.2 }]\n");

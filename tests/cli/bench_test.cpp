@@ -1,7 +1,5 @@
 // Runs pelage-bench on a small picture. The JSON output of Google Benchmark must contain the time and the
 // counters of every kernel.
-#include <gtest/gtest.h>
-
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -14,22 +12,17 @@ namespace {
 
 const std::filesystem::path bench = std::filesystem::path(PELAGE_BINARY).parent_path() / "pelage-bench";
 
-int run(const Folder& folder, const std::string& arguments) {
-  const std::string command = "cd '" + folder.path().string() +
-                              "' && ASAN_OPTIONS=detect_leaks=0 timeout 300 '" + bench.string() +
-                              "' >stdout 2>stderr " + arguments;
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+Outcome run(const Folder& folder, const std::string& arguments) {
+  return pelage(folder, arguments, "", bench.string());
 }
 
 TEST(Bench, EveryKernelHasATimeAndItsCounters) {
   const Folder folder;
-  ASSERT_EQ(run(folder,
-                "--set model=torus --set image.width=96 --set image.height=64 --set fur.layers=4 "
-                "--set fur.texture=64 --set wetness.random=20 --seconds 0.01 --benchmark_format=json "
-                "--benchmark_out=out.json"),
-            0)
-      << folder.read("stderr");
+  const Outcome outcome = run(
+      folder,
+      "--set model=torus --set image.width=96 --set image.height=64 --set fur.layers=4 --set fur.texture=64 "
+      "--set wetness.random=20 --seconds 0.01 --benchmark_format=json --benchmark_out=out.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto json = nlohmann::json::parse(folder.read("out.json"));
   EXPECT_TRUE(json.at("context").contains("kernel_hash"));
   std::map<std::string, nlohmann::json> rows;
@@ -54,9 +47,9 @@ TEST(Bench, EveryKernelHasATimeAndItsCounters) {
 
 TEST(Bench, BadUsageIsExitTwo) {
   const Folder folder;
-  EXPECT_EQ(run(folder, "--no-such-option"), 2);
-  EXPECT_EQ(run(folder, "--set fur.layers=0"), 2);
-  EXPECT_EQ(run(folder, "no-such-scene.toml"), 2);
+  EXPECT_EQ(run(folder, "--no-such-option").code, 2);
+  EXPECT_EQ(run(folder, "--set fur.layers=0").code, 2);
+  EXPECT_EQ(run(folder, "no-such-scene.toml").code, 2);
 }
 
 }  // namespace

@@ -23,11 +23,10 @@ TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
   const std::string command = "cd '" + folder.path().string() +
                               "' && python3 '" PELAGE_SOURCE_DIR
                               "/scripts/compare_builds.py' tree tree -o out --rounds 2 --frames 3 --models "
-                              "torus --layers 16 --size 320x240 "
-                              ">stdout 2>stderr";
+                              "torus --layers 16 --size 320x240 >stdout 2>stderr";
   EXPECT_EQ(std::system(command.c_str()), 0) << folder.read("stderr");
   const std::string text = folder.read("stdout");
-  EXPECT_NE(text.find("2 rounds; frame time new / old, and control / old\n"), std::string::npos) << text;
+  expect_has(text, "2 rounds; frame time new / old, and control / old\n");
   const auto line = text.find("geometric mean");
   ASSERT_NE(line, std::string::npos) << text;
   double ratio = 0, control = 0;

@@ -3,28 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
-#include <string>
-#include <utility>
 #include <vector>
+
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
 
 /// The name of an equation, and the name of a function that computes the equation.
 using Line = std::pair<std::string, std::string>;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::vector<std::string> all(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <set>
 #include <sstream>
-#include <vector>
 
 #include "tests/cli/document.hpp"
 

@@ -16,16 +16,13 @@ namespace {
 
 TEST(Figures, OneFigureIsRunAndAgreesWithTheReference) {
   const Folder folder;
-  const Outcome run = pelage(folder, "run silva2010-fig08 --preset smoke --axis figure=wet -o run");
-  ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.err.find("1 cases ok, 0 cases not ok"), std::string::npos) << run.err;
+  const Outcome run = done(folder, "run silva2010-fig08 --preset smoke --axis figure=wet -o run");
+  expect_has(run.err, "1 cases ok, 0 cases not ok");
   const Picture picture = read_picture(folder.path() / "run/silva2010-fig08/images/wet-160x120.png");
   EXPECT_EQ(picture.width, 160);
 
   // --case selects the same scene, so the same device draws the same picture.
-  const Outcome render =
-      pelage(folder, "render silva2010-fig08 --case wet-640x480 --size 160x120 -o again.png");
-  ASSERT_EQ(render.code, 0) << render.err;
+  done(folder, "render silva2010-fig08 --case wet-640x480 --size 160x120 -o again.png");
   const Picture again = read_picture(folder.path() / "again.png");
   ASSERT_EQ(again.pixel.size(), picture.pixel.size());
   const auto same = [](const glm::vec4& a, const glm::vec4& b) { return glm::vec3(a) == glm::vec3(b); };
@@ -34,10 +31,9 @@ TEST(Figures, OneFigureIsRunAndAgreesWithTheReference) {
 
 TEST(Figures, TheCollectionNamesAllTheirCases) {
   const Folder folder;
-  const Outcome dry = pelage(folder, "run figures --dry-run");
-  ASSERT_EQ(dry.code, 0) << dry.err;
-  EXPECT_NE(dry.out.find("silva2010-fig13\tnear-640x480"), std::string::npos) << dry.out;
-  EXPECT_NE(dry.out.find("wetfur2010-fig06\tc-640x480"), std::string::npos) << dry.out;
+  const Outcome dry = done(folder, "run figures --dry-run");
+  expect_has(dry.out, "silva2010-fig13\tnear-640x480");
+  expect_has(dry.out, "wetfur2010-fig06\tc-640x480");
   // The pages show only cases that exist, and all of them.
   ASSERT_EQ(std::system(("'" PELAGE_SOURCE_DIR "/scripts/figure_sheets.py' --list >'" +
                          folder.path().string() + "/list'")
@@ -46,8 +42,7 @@ TEST(Figures, TheCollectionNamesAllTheirCases) {
   std::istringstream list(folder.read("list")), cases(dry.out);
   std::set<std::string> shown, known;
   for (std::string experiment, name, kind; list >> experiment >> name >> kind;) {
-    EXPECT_NE(dry.out.find(fmt::format("{}\t{}\t", experiment, name)), std::string::npos)
-        << experiment << " " << name;
+    expect_has(dry.out, fmt::format("{}\t{}\t", experiment, name));
     // The diagrams `lines` and `wind` contain the picture of the case.
     if (kind == "picture" || kind == "lines" || kind == "wind")
       shown.insert(fmt::format("{} {}", experiment, name));
@@ -63,10 +58,8 @@ TEST(Figures, TheCollectionNamesAllTheirCases) {
 
 TEST(Diagrams, MasksShowTheTextAndNothingElse) {
   const Folder folder;
-  const Outcome outcome = pelage(
-      folder,
-      "diagram mask wet-text --set wetness.text=I --set wetness.text_height=0.4 --side 256 -o mask.png");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  done(folder,
+       "diagram mask wet-text --set wetness.text=I --set wetness.text_height=0.4 --side 256 -o mask.png");
   const Picture mask = read_picture(folder.path() / "mask.png");
   ASSERT_EQ(mask.width, 256);
   int inside = 0, outside = 0;
@@ -84,17 +77,14 @@ TEST(Diagrams, MasksShowTheTextAndNothingElse) {
 
 TEST(Diagrams, SectionsAreTablesAndPlots) {
   const Folder folder;
-  const Outcome table = pelage(folder, "diagram shape --set fur.layers=4");
-  ASSERT_EQ(table.code, 0) << table.err;
+  const Outcome table = done(folder, "diagram shape --set fur.layers=4");
   EXPECT_EQ(table.out.substr(0, table.out.find('\n')), "w,h,f");
   EXPECT_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 1 + 5 * 4);
   for (const char* kind : {"shape", "clump", "curl", "layers"}) {
     const std::string name = kind;
-    const Outcome plot = pelage(
-        folder,
-        fmt::format("diagram {0} --model torus --set fur.layers=4 --set curl.radius=0.02 -o {0}.svg", name));
-    ASSERT_EQ(plot.code, 0) << plot.err;
-    EXPECT_NE(folder.read(name + ".svg").find("<svg"), std::string::npos);
+    done(folder,
+         fmt::format("diagram {0} --model torus --set fur.layers=4 --set curl.radius=0.02 -o {0}.svg", name));
+    expect_has(folder.read(name + ".svg"), "<svg");
     EXPECT_FALSE(folder.read(name + ".csv").empty());
   }
 }
@@ -102,9 +92,8 @@ TEST(Diagrams, SectionsAreTablesAndPlots) {
 TEST(Diagrams, StrandsAreWhiteLinesOverTheFur) {
   const Folder folder;
   const std::string scene = "silva2010-fig04 --case triangle-640x480 --size 160x120 ";
-  ASSERT_EQ(pelage(folder, "render " + scene + "-o fur.png").code, 0);
-  const Outcome outcome = pelage(folder, "diagram lines " + scene + "-o strands.png --line-width 3");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  done(folder, "render " + scene + "-o fur.png");
+  done(folder, "diagram lines " + scene + "-o strands.png --line-width 3");
   const Picture fur = read_picture(folder.path() / "fur.png"),
                 lines = read_picture(folder.path() / "strands.png");
   int white = 0, other = 0;

@@ -1,14 +1,10 @@
 // Tests strands on a mesh that moves and deforms (scene key mesh.frames).
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/picture/image_io.hpp"
-#include "tests/cli/shell.hpp"
+#include "tests/cli/frames.hpp"
 
 namespace pelage::cli {
 namespace {
@@ -48,8 +44,7 @@ void write_frames(const Folder& folder) {
 }
 
 Picture drawn(const Folder& folder, const std::string& options) {
-  const Outcome outcome = pelage(folder, "render scene.toml -o a.exr " + options);
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  done(folder, "render scene.toml -o a.exr " + options);
   return read_picture(folder.path() / "a.exr");
 }
 
@@ -95,52 +90,31 @@ TEST(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
                "name = \"mine\"\n[axes]\nmodel = [\"body-7.obj\"]\nvariant = [\"strands\"]\n[scene]\nfile = "
                "\"scene.toml\"\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
                "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
-  const Outcome run = pelage(folder, "run mine.toml -o rows");
-  ASSERT_EQ(run.code, 0) << run.err << run.out;
-  EXPECT_EQ(pelage(folder, "run mine.toml --resume rows").code, 0);
+  done(folder, "run mine.toml -o rows");
+  done(folder, "run mine.toml --resume rows");
   folder.write("body-12.obj", body(0.5));
-  const Outcome again = pelage(folder, "run mine.toml --resume rows");
-  EXPECT_EQ(again.code, 2) << again.out;
-  EXPECT_NE(again.err.find("mesh"), std::string::npos) << again.err;
+  expect_refused(pelage(folder, "run mine.toml --resume rows"), "mesh", true);
 }
 
 TEST(MeshFrames, ContradictionsAreRefused) {
   const Folder folder;
   write_frames(folder);
-  const auto refusal = [&](const std::string& options) {
-    const Outcome outcome = pelage(folder, "render scene.toml -o a.png " + options);
-    EXPECT_EQ(outcome.code, 2) << options;
-    return outcome.err;
-  };
-  const std::string strands = "--pipeline strands ";
-  EXPECT_NE(refusal("--set dynamics.topology=silva").find("only pipelines that draw strands"),
-            std::string::npos);
-  EXPECT_NE(refusal(strands + "--set mesh.frames=7").find("body-13.obj"), std::string::npos);
-  EXPECT_NE(refusal(strands + "--model torus").find("is no mesh file"), std::string::npos);
-  EXPECT_NE(refusal(strands + "--set dynamics.motion.velocity=[1,0,0]").find("must not move"),
-            std::string::npos);
-  EXPECT_NE(refusal(strands + "--set strands.chain.collision=body").find("does not deform"),
-            std::string::npos);
-  EXPECT_NE(refusal("--pipeline strands-raycast").find("at rest"), std::string::npos);
+  const std::pair<const char*, const char*> refused[] = {
+      {"--set dynamics.topology=silva", "only pipelines that draw strands"},
+      {"--pipeline strands --set mesh.frames=7", "body-13.obj"},
+      {"--pipeline strands --model torus", "is no mesh file"},
+      {"--pipeline strands --set dynamics.motion.velocity=[1,0,0]", "must not move"},
+      {"--pipeline strands --set strands.chain.collision=body", "does not deform"},
+      {"--pipeline strands-raycast", "at rest"}};
+  for (const auto& [options, message] : refused)
+    expect_refused(pelage(folder, std::string("render scene.toml -o a.png ") + options), message, true);
 }
 
 TEST(MeshFrames, AnAnimationHasThePicturesOfRender) {
   const Folder folder;
   write_frames(folder);
-  const std::string scene = "scene.toml --pipeline strands --size 64x48 ";
   // Frames of the mesh last 1/60 s, so the animation skips some frames of the mesh.
-  ASSERT_EQ(pelage(folder, "animate " + scene + "-o frames --fps 40 --frames 5").code, 0)
-      << folder.read("stderr");
-  std::string last;
-  for (int frame = 0; frame < 5; ++frame) {
-    const std::string time = fmt::format("--set dynamics.time={} ", float(frame) / 40);
-    ASSERT_EQ(pelage(folder, fmt::format("render {}{}-o a.png", scene, time)).code, 0)
-        << folder.read("stderr");
-    const std::string picture = folder.read("a.png");
-    EXPECT_TRUE(folder.read(fmt::format("frames/frame-{:05}.png", frame)) == picture) << frame;
-    EXPECT_FALSE(picture == last);
-    last = picture;
-  }
+  EXPECT_EQ(expect_rendered_frames(folder, "scene.toml --pipeline strands --size 64x48", 0, 40, 5), 5u);
 }
 
 }  // namespace

@@ -1,14 +1,23 @@
-// Runs the pelage binary of this build in a shell, in a temporary folder.
+// Runs the pelage binary of this build in a shell, in a temporary folder, and checks how it ended.
 #pragma once
+#include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <sstream>
+#include <stdexcept>
+
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::cli {
+
+using test::expect_has;
+using test::has;
 
 struct Outcome {
   int code = -1;
   std::string out, err;
+  std::string arguments;  ///< of the command, for the messages of failed tests
 };
 
 /// A new temporary folder. The destructor deletes it.
@@ -19,6 +28,13 @@ class Folder {
     test::write_text(path() / name, text);
   }
   std::string read(const std::string& name) const { return test::text_of(path() / name); }
+  /// Replaces the first `from` in a file by `to`. The test ends if the file does not contain `from`.
+  void edit(const std::string& name, const std::string& from, const std::string& to) const {
+    std::string text = read(name);
+    const std::size_t place = text.find(from);
+    if (place == std::string::npos) throw std::runtime_error(name + " does not contain " + from);
+    write(name, text.replace(place, from.size(), to));
+  }
 
  private:
   test::Folder folder_;
@@ -34,11 +50,53 @@ inline Outcome pelage(const Folder& folder, const std::string& arguments, const 
                               environment + " timeout 300 '" + binary + "' >stdout 2>stderr " + arguments;
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder.read("stdout"),
-          folder.read("stderr")};
+          folder.read("stderr"), arguments.substr(0, 200)};
 }
 
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+/// Runs pelage, which must succeed. Otherwise the test ends, because this function throws the messages.
+inline Outcome done(const Folder& folder, const std::string& arguments, const std::string& environment = "") {
+  Outcome outcome = pelage(folder, arguments, environment);
+  if (outcome.code != 0)
+    throw std::runtime_error(
+        fmt::format("{}: code {}\n{}{}", outcome.arguments, outcome.code, outcome.out, outcome.err));
+  return outcome;
+}
+
+/// Expects that pelage refused its input: it ended with `code`, and its only message, the last line on
+/// stderr, contains `text`. If `steps` is true, lines about the preparation of a mesh may precede the
+/// message.
+inline void expect_refused(const Outcome& outcome, const std::string& text, bool steps = false,
+                           int code = 2) {
+  SCOPED_TRACE(outcome.arguments + "\n" + outcome.err);
+  EXPECT_EQ(outcome.code, code);
+  std::string last;
+  int lines = 0, messages = 0;
+  std::istringstream stream(outcome.err);
+  for (std::string line; std::getline(stream, line); ++lines) {
+    messages += line.starts_with("pelage: ");
+    last = line;
+  }
+  EXPECT_EQ(steps ? messages : lines, 1);
+  EXPECT_TRUE(last.starts_with("pelage: ") && has(last, text)) << "the message has no " << text;
+}
+
+/// Returns an experiment with the lines `axes` in the table [axes] and the lines `scene` in the table
+/// [scene]. Each case has six timed frames.
+inline std::string experiment(const std::string& axes, const std::string& scene = "") {
+  return "name = \"own\"\n[axes]\n" + axes + "\n[scene]\nfur.texture = 64\n" + scene +
+         "\n[preset.quick]\nwarm_up_s = 0.0\nleast = 6\nmost = 6\nprecision = 1.0\nlimit_s = 60.0\n";
+}
+
+/// Returns an experiment that draws a torus at 320 x 240 pixels.
+inline std::string of_torus(const std::string& axes, const std::string& scene = "") {
+  return experiment("model = [\"torus-24x12\"]\n" + axes + "\nsize = [\"320x240\"]", scene);
+}
+
+/// Returns the name of a journal below a folder of results.
+inline std::string journal_in(const Folder& folder, const std::string& results) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / results))
+    if (entry.path().extension() == ".jsonl") return entry.path().lexically_relative(folder.path()).string();
+  throw std::runtime_error(results + ": no journal");
 }
 
 }  // namespace pelage::cli

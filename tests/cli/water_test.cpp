@@ -30,8 +30,7 @@ Table numbers(const std::string& text) {
 
 TEST(WaterCommand, WritesTheAccountOfTheExample) {
   const Folder folder;
-  const Outcome printed = pelage(folder, "water rain --model torus --to 10 --fps 4");
-  ASSERT_EQ(printed.code, 0) << printed.err;
+  const Outcome printed = done(folder, "water rain --model torus --to 10 --fps 4");
   const Table table = numbers(printed.out);
   ASSERT_EQ(table.size(), 41u);
   double most = 0;
@@ -45,45 +44,29 @@ TEST(WaterCommand, WritesTheAccountOfTheExample) {
   EXPECT_EQ(table.front()[1], 0) << "the example begins dry";
   EXPECT_EQ(table.back()[1], 0) << "and ends dry";
   EXPECT_EQ(table.back()[4], 0);
-  const Outcome written = pelage(folder, "water rain --model torus --to 10 --fps 4 --csv water.csv");
-  EXPECT_EQ(written.code, 0) << written.err;
+  const Outcome written = done(folder, "water rain --model torus --to 10 --fps 4 --csv water.csv");
   EXPECT_EQ(written.out, "");
   EXPECT_EQ(folder.read("water.csv"), printed.out);
 }
 
 TEST(WaterCommand, DrawsTheAccount) {
   const Folder folder;
-  const Outcome drawn = pelage(folder, "water rain --model torus --to 10 --fps 4 --csv account.svg");
-  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  done(folder, "water rain --model torus --to 10 --fps 4 --csv account.svg");
   EXPECT_EQ(numbers(folder.read("account.csv")).size(), 41u);
   const std::string svg = folder.read("account.svg");
   for (const char* part : {"unsoaked", "held", "evaporated", "dripped", "fell", "time, s"})
-    EXPECT_NE(svg.find(part), std::string::npos) << part;
+    expect_has(svg, part);
   EXPECT_EQ(folder.read("account.pdf").substr(0, 5), "%PDF-");
 }
 
 TEST(WaterCommand, UsesTheKeyframesOfItsTimes) {
   const Folder folder;
-  folder.write(
-      "k.toml",
-      "model = 'torus'\n[wetness]\nrandom = 50\nsoak = 1.0\n[keyframes]\n'wetness.radius' = [[0, 0.01], "
-      "[1, 0.02]]\n");
-  const Outcome outcome = pelage(folder, "water k.toml --to 1 --fps 1");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Table table = numbers(outcome.out);
+  folder.write("k.toml",
+               "model = 'torus'\n[wetness]\nrandom = 50\nsoak = 1.0\n[keyframes]\n'wetness.radius' = [[0, "
+               "0.01], [1, 0.02]]\n");
+  const Table table = numbers(done(folder, "water k.toml --to 1 --fps 1").out);
   ASSERT_EQ(table.size(), 2u);
   EXPECT_GT(table[1][2], 2 * table[0][2]) << "the discs are larger";
-}
-
-TEST(WaterCommand, RefusesBadInput) {
-  const Folder folder;
-  for (const char* arguments : {"water rain --to -1", "water rain --fps 0", "water rain --to 3600 --fps 1000",
-                                "water nothing", "water rain --set wetness.end=1 --set wetness.begin=2",
-                                "water rain --set wetness.random=0", "water rain --csv water.png"}) {
-    const Outcome outcome = pelage(folder, arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  }
 }
 
 }  // namespace

@@ -4,28 +4,9 @@
 #include "tests/fuzz/targets.hpp"
 
 namespace pelage::fuzz {
-namespace {
 
 void mesh(std::string_view bytes, std::string_view format) {
   may_refuse([&] { parse_soup(std::string(bytes), format, "mesh"); });
-}
-
-}  // namespace
-
-void obj(std::string_view bytes) {
-  mesh(bytes, "obj");
-}
-
-void off(std::string_view bytes) {
-  mesh(bytes, "off");
-}
-
-void ply(std::string_view bytes) {
-  mesh(bytes, "ply");
-}
-
-void stl(std::string_view bytes) {
-  mesh(bytes, "stl");
 }
 
 void gltf(std::string_view bytes) {

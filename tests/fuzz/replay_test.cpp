@@ -2,12 +2,10 @@
 // scripts/fuzz.sh has found an error.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "tests/fuzz/targets.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage::fuzz {
 namespace {
@@ -21,9 +19,7 @@ struct Replay : ::testing::TestWithParam<Target> {};
 TEST_P(Replay, TheCorpusHasNoFinding) {
   int inputs = 0;
   for (const auto& entry : fs::directory_iterator(corpus / GetParam().name)) {
-    std::ifstream stream(entry.path(), std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    EXPECT_NO_THROW(GetParam().run(bytes)) << entry.path();
+    EXPECT_NO_THROW(GetParam().run(test::text_of(entry.path()))) << entry.path();
     ++inputs;
   }
   EXPECT_GT(inputs, 1);

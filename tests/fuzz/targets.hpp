@@ -17,17 +17,14 @@ void claims(std::string_view bytes);      ///< a file of claims
 void experiment(std::string_view bytes);  ///< an experiment file
 void gltf(std::string_view bytes);     ///< the parts of a glTF file that pelage reads before it calls Assimp
 void journal(std::string_view bytes);  ///< a journal (rows of results); journal() adds the checksums
-void models(std::string_view bytes);   ///< a file such as experiments/models.toml
-void obj(std::string_view bytes);
-void off(std::string_view bytes);
-void options(std::string_view bytes);  ///< values of command-line options
-void picture(std::string_view bytes);  ///< a picture file; the first byte selects its format
-void ply(std::string_view bytes);
+void mesh(std::string_view bytes, std::string_view format);  ///< OBJ, OFF, PLY or STL
+void models(std::string_view bytes);                         ///< a file such as experiments/models.toml
+void options(std::string_view bytes);                        ///< values of command-line options
+void picture(std::string_view bytes);    ///< a picture file; the first byte selects its format
 void proc_stat(std::string_view bytes);  ///< the first line of /proc/stat, which contains CPU times
 void scene(std::string_view bytes);      ///< a scene file
 void set(std::string_view bytes);        ///< the value of the command-line option --set
-void stl(std::string_view bytes);
-void tuning(std::string_view bytes);  ///< a tuning file
+void tuning(std::string_view bytes);     ///< a tuning file
 
 struct Target {
   std::string_view name;
@@ -41,15 +38,15 @@ inline constexpr std::array<Target, 17> targets{{{"archive", archive},
                                                  {"gltf", gltf},
                                                  {"journal", journal},
                                                  {"models", models},
-                                                 {"obj", obj},
-                                                 {"off", off},
+                                                 {"obj", [](std::string_view bytes) { mesh(bytes, "obj"); }},
+                                                 {"off", [](std::string_view bytes) { mesh(bytes, "off"); }},
                                                  {"options", options},
                                                  {"picture", picture},
-                                                 {"ply", ply},
+                                                 {"ply", [](std::string_view bytes) { mesh(bytes, "ply"); }},
                                                  {"proc_stat", proc_stat},
                                                  {"scene", scene},
                                                  {"set", set},
-                                                 {"stl", stl},
+                                                 {"stl", [](std::string_view bytes) { mesh(bytes, "stl"); }},
                                                  {"tuning", tuning}}};
 
 }  // namespace pelage::fuzz

@@ -1,12 +1,11 @@
-// Tests that the documents name functions and files that exist, that their links lead somewhere, and that the
-// code cites documents and sections that exist.
+// Tests that the documents name functions and files that exist, that their links lead somewhere, that the
+// code cites documents and sections that exist, and that docs/code.md names every folder that contains code.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <regex>
@@ -207,6 +206,16 @@ TEST(Documents, NameWhatExists) {
     for (const std::string& fault : dead_links(text, document.parent_path()))
       ADD_FAILURE() << name << ": " << fault;
   }
+}
+
+TEST(Documents, NameEveryFolderWithCode) {
+  const std::string document = pelage::test::text_of(root / "docs/code.md");
+  std::set<std::string> folders;
+  for (const char* top : {"harness", "kernels"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / top))
+      if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cl")
+        folders.insert(entry.path().parent_path().lexically_relative(root).generic_string());
+  for (const std::string& folder : folders) EXPECT_NE(document.find(folder), std::string::npos) << folder;
 }
 
 // Tables that are written from code or results do not count: whole pages, or the lines between two marks.

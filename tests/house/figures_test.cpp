@@ -1,11 +1,7 @@
 // Tests that the tables of recorded results in README.md and results/README.md are those of results/tables.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include "tests/support/files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -16,11 +12,10 @@ int exit_of_check(const fs::path& tree) {
 }
 
 void replace_once(const fs::path& file, const std::string& from, const std::string& to) {
-  std::ifstream stream(file);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = pelage::test::text_of(file);
   const std::size_t at = text.find(from);
   ASSERT_NE(at, std::string::npos) << file << " does not contain " << from;
-  std::ofstream(file) << text.replace(at, from.size(), to);
+  pelage::test::write_text(file, text.replace(at, from.size(), to));
 }
 
 }  // namespace
@@ -33,9 +28,8 @@ TEST(Figures, OfTheDocumentsAreThoseOfTheRecordedResults) {
 // change.
 TEST(Figures, PlantedMistakesAreFound) {
   const fs::path source = PELAGE_SOURCE_DIR;
-  std::string name = (fs::temp_directory_path() / "pelage-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(name.data()), nullptr);
-  const fs::path copy = name;
+  const pelage::test::Folder folder;
+  const fs::path& copy = folder.path;
   const auto everything = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
   for (const char* part : {"scripts", "results/tables", "results/rival-options"}) {
     fs::create_directories((copy / part).parent_path());
@@ -58,5 +52,4 @@ TEST(Figures, PlantedMistakesAreFound) {
   documents();
   replace_once(copy / "results/tables/table1/silva2010-table1.csv", "lion,365118,", "lion,365119,");
   EXPECT_NE(exit_of_check(copy), 0);
-  fs::remove_all(copy);
 }

@@ -2,7 +2,9 @@
 // violations.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <regex>
 #include <set>
@@ -36,12 +38,6 @@ std::vector<std::string> written_files() {
   return files;
 }
 
-std::string joined(const Faults& faults) {
-  std::string text;
-  for (const std::string& fault : faults) text += fault + "\n";
-  return text;
-}
-
 const Links& links() {
   static const Links known = room_links(pelage::test::text_of(root / "CMakeLists.txt"));
   return known;
@@ -51,46 +47,41 @@ std::size_t faults_of(const std::string& path, const std::string& include) {
   return include_faults(path, "// first line\n#include " + include + "\n", links()).size();
 }
 
+/// Expects that `faults_in`, a rule of rules.hpp, finds nothing in the files of the checkout.
+void expect_kept(const std::function<Faults(const std::string& path, const std::string& text)>& faults_in) {
+  const std::vector<std::string> files = written_files();
+  EXPECT_GT(files.size(), 50u);
+  for (const std::string& file : files)
+    for (const std::string& fault : faults_in(file, pelage::test::text_of(root / file)))
+      ADD_FAILURE() << fault;
+}
+
 }  // namespace
 
 TEST(House, KeepsItsRulesOfInclusion) {
-  Faults faults;
-  for (const std::string& file : written_files()) {
-    const Faults found = include_faults(file, pelage::test::text_of(root / file), links());
-    faults.insert(faults.end(), found.begin(), found.end());
-  }
-  EXPECT_TRUE(faults.empty()) << joined(faults);
+  expect_kept([](const auto& path, const auto& text) { return include_faults(path, text, links()); });
 }
 
 TEST(House, KeepsItsRulesOfText) {
-  Faults faults;
-  const auto files = written_files();
-  EXPECT_GT(files.size(), 50u);
-  for (const std::string& file : files) {
-    const Faults found = text_faults(file, pelage::test::text_of(root / file));
-    faults.insert(faults.end(), found.begin(), found.end());
-  }
-  EXPECT_TRUE(faults.empty()) << joined(faults);
+  expect_kept(text_faults);
 }
 
 TEST(House, KeepsOneCopyOfAComputationInTheKernels) {
-  Faults faults;
-  for (const std::string& file : written_files()) {
-    const Faults found = copy_faults(file, pelage::test::text_of(root / file));
-    faults.insert(faults.end(), found.begin(), found.end());
-  }
-  EXPECT_TRUE(faults.empty()) << joined(faults);
+  expect_kept(copy_faults);
 }
 
 TEST(House, LaunchesKernelsInOnePlaceAndInGroupsOfAKnownSize) {
-  Faults faults;
-  for (const std::string& file : written_files()) {
-    const Faults found = launch_faults(file, pelage::test::text_of(root / file));
-    faults.insert(faults.end(), found.begin(), found.end());
-  }
-  EXPECT_TRUE(faults.empty()) << joined(faults);
+  expect_kept(launch_faults);
   EXPECT_NE(pelage::test::text_of(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("),
             std::string::npos);
+}
+
+// Each mapping (a way to distribute the pixels over work-items), pipeline, solver, topology and shading model
+// has a name. The name may occur in the files that implement the named part, and in the table of its kind
+// (for example, the table of all mappings). It may also occur in at most two other code lines of harness/ and
+// bench/. The script scripts/names.py checks this rule.
+TEST(Names, AreInOneTable) {
+  EXPECT_EQ(std::system("python3 '" PELAGE_SOURCE_DIR "/scripts/names.py'"), 0);
 }
 
 TEST(House, PlantedLaunchesAreFound) {

@@ -1,20 +1,13 @@
 // Tests that the manual page describes the commands and options that --help lists.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdio>
 #include <regex>
+
+#include "tests/cli/shell.hpp"
 
 namespace {
 
 std::string output_of(const std::string& arguments) {
-  FILE* pipe = ::popen(fmt::format("'{}' {} 2>&1", PELAGE_BINARY, arguments).c_str(), "r");
-  std::string text;
-  std::array<char, 4096> part{};
-  while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe)) text.append(part.data(), n);
-  EXPECT_EQ(::pclose(pipe), 0) << text;
-  return text;
+  const pelage::cli::Folder folder;
+  return pelage::cli::done(folder, arguments).out;
 }
 
 std::string plain(const std::string& page) {

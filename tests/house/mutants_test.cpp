@@ -3,14 +3,9 @@
 // text that a mutant replaces occurs exactly once in the sources.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "tests/house/rules.hpp"
+#include "tests/support/files.hpp"
 
 namespace fs = std::filesystem;
 using pelage::house::root;
@@ -36,19 +31,18 @@ TEST(MutantFiles, CanBeApplied) {
 }
 
 TEST(MutantFiles, AreAllRunByCi) {
-  std::ifstream stream(root / ".ci/full");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string text = pelage::test::text_of(root / ".ci/full");
   EXPECT_NE(text.find("for data in tests/mutants/*.toml; do\n  scripts/mutants.py --data \"$data\"\ndone\n"),
             std::string::npos);
 }
 
 TEST(MutantFiles, APlantedTextThatIsGoneIsSeen) {
   if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
-  const fs::path data = fs::temp_directory_path() / fmt::format("pelage-mutants-{}.toml", ::getpid());
-  std::ofstream(data) << "[[mutant]]\nname = 'gone'\nwhy = ''\noriginal = 'no such text in any source'\n"
-                         "replacement = ''\ntarget = 'test_house'\nfilter = '*'\n";
-  EXPECT_NE(checked(data), 0);
-  fs::remove(data);
+  const pelage::test::Folder folder;
+  std::ofstream(folder.path / "gone.toml")
+      << "[[test_house]]\nname = 'gone'\nwhy = ''\noriginal = 'no such text in any source'\n"
+         "replacement = ''\nfilter = '*'\n";
+  EXPECT_NE(checked(folder.path / "gone.toml"), 0);
 }
 
 }  // namespace

@@ -11,19 +11,10 @@
 namespace pelage::house {
 namespace {
 
-bool starts_with(const std::string& text, const std::string& prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
-
-bool ends_with(const std::string& text, const std::string& suffix) {
-  return text.size() >= suffix.size() &&
-         text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
-}
-
 // Returns the name of the folder directly below `parent` that contains `path`. With the parent "harness", it
 // returns "cl" for "harness/cl/device.hpp", and an empty string for "harness/error.hpp".
 std::string room_of(const std::string& path, const std::string& parent) {
-  if (!starts_with(path, parent + "/")) return {};
+  if (!path.starts_with(parent + "/")) return {};
   const std::string rest = path.substr(parent.size() + 1);
   const auto slash = rest.find('/');
   return slash == std::string::npos ? std::string{} : rest.substr(0, slash);
@@ -34,7 +25,7 @@ std::string room_of(const std::string& path, const std::string& parent) {
 // "springs_model". If the folders of several rooms contain the file, the result is the room with the longest
 // path. If the file is in no room, the result is the name of the folder directly below harness/.
 std::string harness_room_of(const std::string& path, const Links& links) {
-  if (!starts_with(path, "harness/")) return {};
+  if (!path.starts_with("harness/")) return {};
   std::string folder = path.substr(8);
   for (auto slash = folder.rfind('/'); slash != std::string::npos; slash = folder.rfind('/')) {
     folder.resize(slash);
@@ -61,32 +52,32 @@ std::vector<Line> lines_of(const std::string& text) {
 // Returns the reason why the file `path` must not include the file `what`, or an empty string if it may.
 std::string kernel_fault(const std::string& path, const std::string& what) {
   const std::string room = room_of(path, "kernels");
-  const bool common = room_of("kernels/" + what, "kernels") == "common" && ends_with(what, ".clh");
-  const bool lanes = starts_with(what, "lanes") && what.find('/') == std::string::npos;
+  const bool common = room_of("kernels/" + what, "kernels") == "common" && what.ends_with(".clh");
+  const bool lanes = what.starts_with("lanes") && what.find('/') == std::string::npos;
   if (path == "kernels/dialect.clh" && !lanes) return "the dialect includes its lanes and nothing else";
-  if (ends_with(path, "params.h")) return "a record shared with the host includes nothing";
+  if (path.ends_with("params.h")) return "a record shared with the host includes nothing";
   if (what == "dialect.clh" || common || (lanes && path == "kernels/dialect.clh")) return {};
   if (room == "common") return "common/ uses dialect.clh and common/ only";
   const std::string folder = path.substr(0, path.rfind('/')).substr(std::string("kernels/").size());
   if (what == room + "/params.h" || what == folder + "/params.h") return {};
-  if (ends_with(path, "/equations.clh"))
+  if (path.ends_with("/equations.clh"))
     return "equations use dialect.clh, their room's params.h and common/*.clh only";
-  if (starts_with(what, room + "/") && ends_with(what, ".clh")) return {};
+  if (what.starts_with(room + "/") && what.ends_with(".clh")) return {};
   return "a kernel uses its own room, dialect.clh and common/ only";
 }
 
 std::string harness_fault(const std::string& path, const std::string& what, const Links& links) {
   const std::string room = harness_room_of(path, links);
   const bool everything = room == "commands" || path == "harness/main.cpp";
-  if (starts_with(what, "CL/") && room != "cl") return "only harness/cl includes OpenCL";
-  if ((starts_with(what, "CGAL/") || starts_with(what, "assimp/")) && room != "mesh")
+  if (what.starts_with("CL/") && room != "cl") return "only harness/cl includes OpenCL";
+  if ((what.starts_with("CGAL/") || what.starts_with("assimp/")) && room != "mesh")
     return "only harness/mesh includes CGAL and Assimp";
-  if (starts_with(what, "OpenImageIO/") && room != "picture")
+  if (what.starts_with("OpenImageIO/") && room != "picture")
     return "only harness/picture includes OpenImageIO";
-  if (starts_with(what, "epoxy/") && room != "gl") return "only harness/gl includes OpenGL";
-  if (starts_with(what, "tests/")) return "the harness does not include tests";
-  if (starts_with(what, "kernels/"))
-    return ends_with(what, "/params.h") ? "" : "of kernels/ the harness includes a room's params.h only";
+  if (what.starts_with("epoxy/") && room != "gl") return "only harness/gl includes OpenGL";
+  if (what.starts_with("tests/")) return "the harness does not include tests";
+  if (what.starts_with("kernels/"))
+    return what.ends_with("/params.h") ? "" : "of kernels/ the harness includes a room's params.h only";
   const std::string other = harness_room_of(what, links);
   if (other.empty() || other == room || other == "base" || everything) return {};
   if (other == "commands") return "commands are included by main.cpp only";
@@ -112,7 +103,7 @@ Links room_links(const std::string& cmake_lists) {
     for (std::sregex_iterator item(rest.begin(), rest.end(), word); item != end; ++item) {
       const std::string name = item->str();
       if (name == "PUBLIC" || name == "PRIVATE") is_public = name == "PUBLIC";
-      if (!starts_with(name, "pelage_")) continue;
+      if (!name.starts_with("pelage_")) continue;
       direct[room].insert(name.substr(7));
       if (is_public) exported[room].insert(name.substr(7));
     }
@@ -138,9 +129,9 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
     std::string fault;
     if (what.find("..") != std::string::npos)
       fault = "includes are written from the repository's root";
-    else if (starts_with(path, "kernels/"))
+    else if (path.starts_with("kernels/"))
       fault = kernel_fault(path, what);
-    else if (starts_with(path, "harness/"))
+    else if (path.starts_with("harness/"))
       fault = harness_fault(path, what, links);
     if (!fault.empty()) faults.push_back(fmt::format("{}:{}: {}: {}", path, line.number, what, fault));
   }
@@ -194,7 +185,7 @@ Faults copy_faults(const std::string& path, const std::string& text) {
       {"kernels/rasterize/shading/surface.clh", "the assembly of a Surface from attribute rows",
        std::regex(R"((\.|->)(uv|a|b|along_u|along_v|curl_u|curl_v)\s*=\s*vec[23]\(\s*\w+(\[\d|\.s\d))")}};
   Faults faults;
-  if (!starts_with(path, "kernels/")) return faults;
+  if (!path.starts_with("kernels/")) return faults;
   for (const Computation& one : computations) {
     bool found = false;
     for (const Line& line : lines_of(text)) {
@@ -212,7 +203,7 @@ Faults launch_faults(const std::string& path, const std::string& text) {
   static const std::regex launch(R"(\bclEnqueue(NDRangeKernel|Task)\s*\(([^;]*))"),
       none(R"(\bnullptr\b|\bNULL\b)");
   Faults faults;
-  if (starts_with(path, "tests/house/")) return faults;
+  if (path.starts_with("tests/house/")) return faults;
   for (std::sregex_iterator at(text.begin(), text.end(), launch), end; at != end; ++at) {
     const std::string arguments = (*at)[2];
     std::size_t local = 0;  // the sixth argument

@@ -1,7 +1,6 @@
 // Tests correct runs that resemble the faulty runs of the other tests in this folder. pelage must not refuse
 // the results of a correct run, and must not put rows of the same measurement into separate reports. The
 // second table of docs/results.md lists these tests.
-#include <algorithm>
 
 #include "harness/record/part_hashes.hpp"
 #include "harness/report/left_out.hpp"
@@ -17,8 +16,7 @@ struct Honest : Runs {
   /// contain every row and every case.
   void run(const std::string& text, const std::string& options = "", const std::string& results = "results") {
     folder.write("own.toml", text);
-    const Outcome outcome = cli::pelage(folder, "run own.toml -o " + results + " " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    done(folder, "run own.toml -o " + results + " " + options);
     expect_whole({path(results)});
   }
   /// Expects that all cases have a row with the status ok, and that a report would put all rows into one set.
@@ -34,19 +32,17 @@ struct Honest : Runs {
     EXPECT_TRUE(kept_apart(places).empty());
   }
   void expect_resumed(const std::string& options = "", const std::string& file = "own.toml") {
-    const Outcome again = cli::pelage(folder, options + " run " + file + " --resume results");
-    EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_NE(again.err.find(" kept from the interrupted run"), std::string::npos) << again.err;
+    const Outcome again = done(folder, options + " run " + file + " --resume results");
+    expect_has(again.err, "pelage: 0 cases ok, 0 cases not ok, ");
+    expect_has(again.err, " kept from the interrupted run");
   }
   /// Expects that the resumed run measured the one missing case, and that it kept the row of the other case.
   void expect_one_more(const Outcome& again) {
     EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_NE(again.err.find("1 cases ok, 0 cases not ok, 1 kept"), std::string::npos) << again.err;
+    expect_has(again.err, "1 cases ok, 0 cases not ok, 1 kept");
     expect_whole({path("results")});
   }
 };
-
-const std::string torus = "model = [\"torus-24x12\"]\nlayers = [4]\nsize = [\"320x240\"]";
 
 TEST_F(Honest, FinishedRunResumed) {
   take("base");
@@ -78,7 +74,7 @@ TEST_F(Honest, ResumeAfterAnError) {
 
 TEST_F(Honest, ResumeOfTheOtherHalf) {
   folder.write("own.toml", base_experiment());
-  ASSERT_EQ(cli::pelage(folder, "run own.toml --filter -4- -o results").code, 0) << folder.read("stderr");
+  done(folder, "run own.toml --filter -4- -o results");
   expect_one_more(resume());
 }
 
@@ -90,7 +86,7 @@ TEST_F(Honest, UnusedKernelEdited) {
 
 TEST_F(Honest, CommentInTheScene) {
   take("base");
-  edit("own.toml", "[scene]", "# a comment\n[scene] # another one");
+  folder.edit("own.toml", "[scene]", "# a comment\n[scene] # another one");
   expect_resumed();
 }
 
@@ -127,8 +123,7 @@ TEST_F(Honest, RepeatedInProcesses) {
 
 TEST_F(Honest, TwoRunsOfOneScene) {
   take("base");
-  const Outcome second = cli::pelage(folder, "run own.toml --filter -4- -o second");
-  ASSERT_EQ(second.code, 0) << second.err;
+  const Outcome second = done(folder, "run own.toml --filter -4- -o second");
   expect_whole({path("results"), path("second")});
   EXPECT_EQ(cells_in({path("results"), path("second")}).front().timings.processes.size() +
                 cells_in({path("results"), path("second")}).back().timings.processes.size(),
@@ -138,11 +133,9 @@ TEST_F(Honest, TwoRunsOfOneScene) {
 TEST_F(Honest, MergedShards) {
   folder.write("own.toml", base_experiment());
   for (const char* options : {"--shard 0/2 -o s0", "--shard 1/2 -o s1"}) {
-    const Outcome shard = cli::pelage(folder, std::string("run own.toml --host nodes ") + options);
-    ASSERT_EQ(shard.code, 0) << shard.err;
+    done(folder, std::string("run own.toml --host nodes ") + options);
   }
-  const Outcome merged = cli::pelage(folder, "merge results s0 s1");
-  EXPECT_EQ(merged.code, 0) << merged.err;
+  done(folder, "merge results s0 s1");
   EXPECT_EQ(rows().size(), 2U);
   expect_whole({path("results")});
 }
@@ -158,38 +151,34 @@ TEST_F(Honest, MeshFilesAndACoatOfOnesOwn) {
 TEST_F(Honest, ChangedByTheCommandLine) {
   folder.write("own.toml", base_experiment());
   const std::string command = "run own.toml --filter -4- --set fur.length=0.12 ";
-  ASSERT_EQ(cli::pelage(folder, command + "-o results").code, 0) << folder.read("stderr");
+  done(folder, command + "-o results");
   expect_whole({path("results")});
-  const Outcome again = cli::pelage(folder, command + "--resume results");
-  EXPECT_EQ(again.code, 0) << again.err;
+  done(folder, command + "--resume results");
 }
 
 TEST_F(Honest, WetFur) {
-  run(experiment(torus, "shading.model = \"wet\"\nwetness.random = 60"));
+  run(of_torus("layers = [4]", "shading.model = \"wet\"\nwetness.random = 60"));
 }
 
 TEST_F(Honest, CurledFur) {
-  run(experiment(torus, "curl.radius = 0.05\ncurl.turns = 2.0"));
+  run(of_torus("layers = [4]", "curl.radius = 0.05\ncurl.turns = 2.0"));
 }
 
 TEST_F(Honest, MassSprings) {
-  run(experiment(torus, "dynamics.topology = \"sticks\"\ndynamics.wind.strength = 0.05"));
+  run(of_torus("layers = [4]", "dynamics.topology = \"sticks\"\ndynamics.wind.strength = 0.05"));
   expect_resumed();
 }
 
 TEST_F(Honest, AnotherMapping) {
-  run(experiment(torus, ""), "--mapping pixel");
+  run(of_torus("layers = [4]"), "--mapping pixel");
 }
 
 TEST_F(Honest, FramesInTurns) {
-  run(experiment("variant = [\"fewer\"]\nmodel = [\"torus-24x12\"]\nlayers = [8]\nsize = [\"320x240\"]", "") +
-      "[variant.fewer]\npipeline = \"shells+fewer\"\n");
+  run(of_torus("variant = [\"fewer\"]\nlayers = [8]") + "[variant.fewer]\npipeline = \"shells+fewer\"\n");
 }
 
 TEST_F(Honest, AChangeOfTheSceneInTurns) {
-  run(experiment("variant = [\"turns\"]\nmodel = [\"torus-24x12\"]\nlayers = [8]\nsize = [\"320x240\"]\n"
-                 "reading = [\"plain\", \"curled\"]",
-                 "") +
+  run(of_torus("variant = [\"turns\"]\nlayers = [8]\nreading = [\"plain\", \"curled\"]") +
       "[variant.turns]\npipeline = \"shells+baseline\"\n[reading.curled]\ncurl.radius = 0.03\n");
 }
 
@@ -199,10 +188,9 @@ TEST_F(Honest, SolverWithoutAPicture) {
 }
 
 TEST_F(Honest, OpenGlBaseline) {
-  folder.write("own.toml", experiment("variant = [\"opengl\"]\n" + torus, "") +
+  folder.write("own.toml", of_torus("variant = [\"opengl\"]\nlayers = [4]") +
                                "[variant.opengl]\npipeline = \"shells+opengl\"\n");
-  const Outcome outcome = cli::pelage(folder, "run own.toml -o results");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  done(folder, "run own.toml -o results");
   if (rows().front().status == Status::unsupported) GTEST_SKIP() << rows().front().reason;
   expect_whole({path("results")});
   EXPECT_TRUE(rows().front().identity.contains(renderer_part));

@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <regex>
-#include <string>
 #include <vector>
+
+#include "tests/support/files.hpp"
 
 namespace pelage::planted {
 namespace {
@@ -37,8 +36,7 @@ std::vector<std::string> listed(const std::string& text, const std::string& suit
 }
 
 TEST(List, TheDocumentNamesEveryTestOnce) {
-  std::ifstream stream(PELAGE_SOURCE_DIR "/docs/results.md", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string text = test::text_of(PELAGE_SOURCE_DIR "/docs/results.md");
   for (const auto& [suite, least] : {std::pair{"Planted", 24U}, {"Honest", 20U}}) {
     std::vector<std::string> in_document = listed(text, suite), in_program = tests_of(suite);
     EXPECT_GE(in_document.size(), least);

@@ -1,18 +1,14 @@
 #include "tests/planted/runs.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <numbers>
-#include <sstream>
 
-#include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/record/journal.hpp"
 #include "harness/report/input_sets.hpp"
-#include "tests/support/refusal.hpp"
 
 namespace pelage::planted {
 namespace {
@@ -89,21 +85,14 @@ const Folder& made(const std::string& run) {
     write_files(*folder);
   else
     folder->write("own.toml", base_experiment(run == "other" ? "0.12" : "0.1"));
-  const Outcome outcome = cli::pelage(*folder, "run own.toml -o results");
-  EXPECT_EQ(outcome.code, 0) << run << ": " << outcome.err;
+  done(*folder, "run own.toml -o results");
   return *folder;
 }
 
 }  // namespace
 
-std::string experiment(const std::string& axes, const std::string& scene) {
-  return "name = \"own\"\n[axes]\n" + axes + "\n[scene]\nfur.texture = 64\n" + scene +
-         "\n[preset.quick]\nwarm_up_s = 0.0\nleast = 6\nmost = 6\nprecision = 1.0\nlimit_s = 60.0\n";
-}
-
 std::string base_experiment(const std::string& length) {
-  return experiment("model = [\"torus-24x12\"]\nlayers = [4, 8]\nsize = [\"320x240\"]",
-                    "fur.length = " + length + "\ndynamics.wind.strength = 0.05");
+  return of_torus("layers = [4, 8]", "fur.length = " + length + "\ndynamics.wind.strength = 0.05");
 }
 
 void Runs::take(const std::string& run, const std::string& results) {
@@ -113,16 +102,9 @@ void Runs::take(const std::string& run, const std::string& results) {
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
 }
 
-void Runs::edit(const std::string& file, const std::string& from, const std::string& to) const {
-  std::string text = folder.read(file);
-  const std::size_t place = text.find(from);
-  ASSERT_NE(place, std::string::npos) << file << " does not contain " << from;
-  folder.write(file, text.replace(place, from.size(), to));
-}
-
 void Runs::edit_kernel(const std::string& file, const std::string& from, const std::string& to) const {
   fs::copy(PELAGE_SOURCE_DIR "/kernels", path("mine"), fs::copy_options::recursive);
-  edit("mine/" + file, from, to);
+  folder.edit("mine/" + file, from, to);
 }
 
 fs::path Runs::journal(const std::string& results) const {
@@ -144,24 +126,32 @@ void Runs::reseal(const std::function<void(Row&)>& change, const std::string& re
   std::ofstream(journal(results), std::ios::binary) << text;
 }
 
+void Runs::expect_apart(const std::function<void(Row&)>& change, const std::string& differs,
+                        const std::string& text) {
+  take("base");
+  take("base", "second");
+  reseal(
+      [&](Row& row) {
+        row.run_id += "1";
+        change(row);
+        slow_down(row);
+      },
+      "second");
+  EXPECT_EQ(kept_apart({path("results"), path("second")}), std::vector<std::string>{differs});
+  fs::rename(path("results"), path("first"));
+  fs::rename(path("second"), path("results"));
+  refused(resume(), text);
+}
+
 void Runs::expect_unreadable(const std::string& text) {
-  expect_refused(cli::pelage(folder, "export results"), text);
-  expect_refused(cli::pelage(folder, "report results -o page"), text);
-  expect_refused(resume(), text);
+  refused(cli::pelage(folder, "export results"), text);
+  refused(cli::pelage(folder, "report results -o page"), text);
+  refused(resume(), text);
 }
 
-void expect_refused(const Outcome& outcome, const std::string& text) {
-  EXPECT_EQ(outcome.code, 2) << outcome.err;
-  EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
-  // pelage may print lines about the preparation of a mesh before the error message.
-  std::istringstream lines(outcome.err);
-  int messages = 0;
-  for (std::string line; std::getline(lines, line);) messages += line.starts_with("pelage: ");
-  EXPECT_EQ(messages, 1) << outcome.err;
-}
-
-std::string refusal_of(const std::function<void()>& work) {
-  return test::refusal([&] { work(); }, "");
+void slow_down(Row& row) {
+  for (double& ms : row.samples["frame"].wall_ms) ms *= 1.5;
+  row.metrics.erase("fragments_per_s");
 }
 
 std::vector<std::string> kept_apart(const std::vector<fs::path>& results) {

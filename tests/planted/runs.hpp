@@ -2,8 +2,6 @@
 // of a run into a temporary folder of the test, and change files and rows there. docs/results.md lists the
 // tests.
 #pragma once
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,12 +13,13 @@
 
 namespace pelage::planted {
 
+using cli::done;
+using cli::expect_has;
+using cli::experiment;
 using cli::Folder;
+using cli::has;
+using cli::of_torus;
 using cli::Outcome;
-
-/// Returns the text of an experiment file with the lines `axes` in the table [axes] and the lines `scene` in
-/// the table [scene]. Each case has six timed frames.
-std::string experiment(const std::string& axes, const std::string& scene);
 
 /// Returns the experiment of the run "base": two cases, which draw a torus with 4 and with 8 layers of fur in
 /// wind. `length` is the length of the fur.
@@ -40,9 +39,6 @@ class Runs : public ::testing::Test {
     return cli::pelage(folder, options + " run own.toml --resume results", environment);
   }
   std::filesystem::path path(const std::string& name) const { return folder.path() / name; }
-  /// Replaces the first occurrence of `from` by `to` in a file of the folder. The test fails if the file does
-  /// not contain `from`.
-  void edit(const std::string& file, const std::string& from, const std::string& to) const;
   /// Copies the kernel sources into the subfolder `mine`, and replaces `from` by `to` in one of the copied
   /// files.
   void edit_kernel(const std::string& file, const std::string& from, const std::string& to) const;
@@ -51,6 +47,11 @@ class Runs : public ::testing::Test {
   std::vector<Row> rows(const std::string& results = "results") const;
   /// Applies `change` to each row of the journal, and writes the rows with correct checksums.
   void reseal(const std::function<void(Row&)>& change, const std::string& results = "results") const;
+
+  /// Changes the rows of a copy of the run "base", whose frames then take longer. Expects that a report
+  /// separates the copy from the run, because of the inputs `differs`, and that --resume refuses the copy.
+  void expect_apart(const std::function<void(Row&)>& change, const std::string& differs,
+                    const std::string& text);
 
   /// Expects that every command that reads the results refuses them, with a message that contains `text`.
   void expect_unreadable(const std::string& text);
@@ -61,12 +62,13 @@ class Runs : public ::testing::Test {
 /// The test suite for the first table of docs/results.md.
 class Planted : public Runs {};
 
-/// Expects that pelage refused its input: the exit code is 2, and stderr contains exactly one error message,
-/// which contains `text`.
-void expect_refused(const Outcome& outcome, const std::string& text);
+/// Expects that pelage refused its input. Lines about the preparation of a mesh may precede the message.
+inline void refused(const Outcome& outcome, const std::string& text) {
+  cli::expect_refused(outcome, text, true);
+}
 
-/// Returns the message of the InputError that `work` throws, or "" if `work` throws none.
-std::string refusal_of(const std::function<void()>& work);
+/// Makes the times of the row's frames 1.5 times as long.
+void slow_down(Row& row);
 
 /// A report separates rows that measured different inputs into several sets (input_sets()). Returns one text
 /// for each set except the first. The text names the inputs that differ from the first set.

@@ -4,11 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include "tests/support/files.hpp"
 
 namespace pelage {
 
@@ -32,15 +28,10 @@ inline UnderOclgrind under_oclgrind(const std::string& filter, const std::string
                                          environment, checks, log.string(),
                                          fs::read_symlink("/proc/self/exe").string(), filter, out.string())
                                  .c_str());
-  const auto take = [](const fs::path& file) {
-    std::ifstream stream(file);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    stream.close();
-    fs::remove(file);
-    return text;
-  };
-  found.log = take(log);
-  found.printed = take(out);
+  found.log = test::text_of(log);
+  found.printed = test::text_of(out);
+  fs::remove(log);
+  fs::remove(out);
   return found;
 }
 
