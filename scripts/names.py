@@ -32,7 +32,7 @@ FAMILIES = {
     "pipeline": (["harness/subjects/pipelines.cpp", "harness/scene/pipelines.cpp", "harness/system/shells/system.cpp",
                   "harness/system/strands/system.cpp", "harness/system/table.cpp"], {
         "shells": (r"shells_system\b", ["harness/system/shells"]),
-        "shells+fewer": (r"fewer_layers\(", ["harness/subjects/fewer_layers"]),
+        "shells+fewer": (r"fewer_layers\(", ["harness/subjects/in_turns"]),
         "opengl": (r"shells::open_opengl\b", ["harness/system/shells"]),
         "shells+opengl": (r"shells_against_opengl", []),
         "strands": (r"strands_system\b", ["harness/system/strands"]),

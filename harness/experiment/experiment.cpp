@@ -14,7 +14,6 @@
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
-#include "harness/experiment/filter.hpp"
 #include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -294,6 +293,25 @@ Scene scene_of(const Experiment& experiment, const Case& which) {
               which.axes.contains(key) ? fmt::format("{}: axis {}", experiment.name, key) : "--set");
   check_scene(scene, source);
   return scene_at(scene, double(scene.dynamics.time));
+}
+
+Filter::Filter(const std::string& expression) {
+  re2::RE2::Options options;
+  options.set_log_errors(false);
+  const auto pattern = std::make_shared<const re2::RE2>(expression, options);
+  // The expression may be very long, and RE2's error message quotes the invalid part of it. Both texts are
+  // therefore shortened.
+  const auto shortened = [](const std::string& text) {
+    return text.size() > 80 ? text.substr(0, 80) + "..." : text;
+  };
+  if (!pattern->ok())
+    throw InputError(fmt::format("--filter {}: this is not a valid regular expression: {}",
+                                 shortened(expression), shortened(pattern->error())));
+  expression_ = pattern;
+}
+
+bool Filter::finds(const std::string& name) const {
+  return re2::RE2::PartialMatch(name, *expression_);
 }
 
 std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex) {

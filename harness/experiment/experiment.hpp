@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,10 @@
 #include "harness/experiment/view.hpp"
 #include "harness/record/row.hpp"
 #include "harness/scene/scene.hpp"
+
+namespace re2 {
+class RE2;
+}
 
 namespace pelage {
 
@@ -153,6 +158,19 @@ Scene scene_of(const Experiment& experiment, const Case& which);
 /// tables of scene keys, other than model, layers, size and variant: "reading", for example. The settings of
 /// the other axes and of --set stay.
 Case baseline_case(const Experiment& experiment, const Case& which);
+
+/// A regular expression in RE2's syntax. RE2 matches every expression in a time proportional to the length of
+/// the text. Matching with std::regex can take exponential time or overflow the stack.
+class Filter {
+ public:
+  /// Throws InputError if the expression is invalid, or if its compiled form needs more than 8 MiB.
+  explicit Filter(const std::string& expression);
+  bool finds(
+      const std::string& name) const;  ///< whether a part of `name` matches; true for the empty expression
+
+ private:
+  std::shared_ptr<const re2::RE2> expression_;
+};
 
 /// Returns the cases whose names contain a match of `regex` (empty: all cases). Throws InputError for a
 /// malformed expression.

@@ -1,5 +1,6 @@
 // Reads experiment files (experiments/*.toml). An axis is a quantity that varies over an experiment's cases.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <re2/re2.h>
 #include <toml++/toml.h>
 
@@ -14,7 +15,6 @@
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/experiment/tables_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -112,12 +112,45 @@ void flatten(const fs::path& file, const toml::table& table, const std::string& 
   }
 }
 
-std::string text_at(const fs::path& file, const toml::table& table, std::string_view key) {
+/// Returns the string at the key, or "" if the key is missing. The error message has `table_name` before the
+/// key.
+std::string text_at(const fs::path& file, const toml::table& table, std::string_view key,
+                    std::string_view table_name = "") {
   const toml::node* node = table.get(key);
   if (!node) return {};
   const auto text = node->value_exact<std::string>();
-  if (!text) refuse(file, node, fmt::format("{} must be a string", key));
+  if (!text) refuse(file, node, fmt::format("{}{} must be a string", table_name, key));
   return *text;
+}
+
+/// Returns the strings at the key of the table [report], which must be a list of strings or a single string.
+/// Returns an empty list if the key is missing.
+std::vector<std::string> texts_at(const fs::path& file, const toml::table& table, std::string_view key) {
+  const toml::node* node = table.get(key);
+  if (!node) return {};
+  if (const auto text = node->value_exact<std::string>()) return {*text};
+  const auto* list = node->as_array();
+  if (!list || list->empty())
+    refuse(file, node, fmt::format("report.{} must be a string or a list of strings", key));
+  std::vector<std::string> texts;
+  for (const toml::node& item : *list) {
+    const auto text = item.value_exact<std::string>();
+    if (!text) refuse(file, &item, fmt::format("report.{} must be a string or a list of strings", key));
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+/// Returns the number `key` of a table, or `otherwise` if the table has no such key. Throws InputError if the
+/// value is not a number in [least, most].
+double number_at(const fs::path& file, const toml::table& table, std::string_view key, double otherwise,
+                 double least, double most) {
+  const toml::node* node = table.get(key);
+  if (!node) return otherwise;
+  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value || !(*value >= least && *value <= most))
+    refuse(file, node, fmt::format("{} must be a number in [{}, {}]", key, least, most));
+  return *value;
 }
 
 /// Adds the axes of `table` and of the tables in it to `found`. The tables in it come from dotted keys: TOML
@@ -165,18 +198,20 @@ std::vector<Axis> read_axes(const Source& source, const toml::table& table) {
   return axes;
 }
 
+/// Throws InputError if the table has a key that is not in `known`.
+void check_keys(const fs::path& file, const toml::table& table, std::string_view table_name,
+                const std::set<std::string_view>& known) {
+  for (const auto& [key, node] : table)
+    if (!known.contains(key.str()))
+      refuse(file, &node,
+             fmt::format("unknown key {}{} (known: {})", table_name, key.str(), fmt::join(known, ", ")));
+}
+
 Preset read_preset(const Source& source, const toml::table& table) {
   const fs::path& file = source.file;
   Preset preset;
   SamplingLimits& limits = preset.limits;
-  for (const auto& [key, node] : table) {
-    static const std::set<std::string_view> known{"warm_up_s", "least",   "most",
-                                                  "precision", "limit_s", "axes"};
-    if (!known.contains(key.str()))
-      refuse(
-          file, &node,
-          fmt::format("unknown key {} (known: axes, least, limit_s, most, precision, warm_up_s)", key.str()));
-  }
+  check_keys(file, table, "", {"axes", "least", "limit_s", "most", "precision", "warm_up_s"});
   limits.warm_up_s = number_at(file, table, "warm_up_s", limits.warm_up_s, 0, 3600);
   limits.least = int(number_at(file, table, "least", limits.least, 1, 1e6));
   limits.most = int(number_at(file, table, "most", limits.most, 1, 1e6));
@@ -189,6 +224,72 @@ Preset read_preset(const Source& source, const toml::table& table) {
     preset.axes = read_axes(source, *axes->as_table());
   }
   return preset;
+}
+
+View view_from_toml(const fs::path& file, const toml::table& table) {
+  check_keys(file, table, "report.",
+             {"blocks", "columns", "panels", "program", "scale", "series", "values", "x", "y"});
+  View view;
+  view.blocks = texts_at(file, table, "blocks");
+  view.columns = texts_at(file, table, "columns");
+  view.values = texts_at(file, table, "values");
+  view.x = text_at(file, table, "x", "report.");
+  view.y = texts_at(file, table, "y");
+  view.series = texts_at(file, table, "series");
+  view.panels = texts_at(file, table, "panels");
+  view.program = text_at(file, table, "program", "report.");
+  const std::vector<std::string> scale = texts_at(file, table, "scale");
+  for (const std::string& one : scale)
+    if ((one != "linear" && one != "log") || scale.size() > 2)
+      refuse(file, table.get("scale"),
+             "report.scale must be \"linear\" or \"log\", or a list of two of them, first for x, then for y");
+  if (!scale.empty()) view.x_scale = scale.front(), view.y_scale = scale.back();
+  return view;
+}
+
+/// Returns the least values of metrics in a table. Tables in it are ignored.
+std::map<std::string, double> least_values(const fs::path& file, const toml::table& table) {
+  std::map<std::string, double> result;
+  for (const auto& [metric, node] : table)
+    if (!node.is_table())
+      result[std::string(metric.str())] = number_at(file, table, metric.str(), 0, -1e300, 1e300);
+  return result;
+}
+
+/// Reads the table [require]: least values of metrics for all cases, and tables [require.AXIS.VALUE] with
+/// least values for the cases with this value of the axis.
+void read_require(const fs::path& file, const toml::table& table, Experiment& into) {
+  into.require = least_values(file, table);
+  for (const auto& [axis, node] : table) {
+    if (!node.is_table()) continue;
+    for (const auto& [value, inner] : *node.as_table()) {
+      if (!inner.is_table())
+        refuse(file, &inner,
+               fmt::format("require.{}.{} must be a table of metrics and least values", axis.str(),
+                           value.str()));
+      into.require_at[std::string(axis.str())][std::string(value.str())] =
+          least_values(file, *inner.as_table());
+    }
+  }
+}
+
+/// Throws InputError if a table [require.AXIS.VALUE] names an axis or a value that the experiment does not
+/// have. table: the whole file.
+void check_require(const fs::path& file, const toml::table& table, const Experiment& experiment) {
+  const auto known = [&](const std::string& axis, const std::string& value) {
+    const auto has = [&](const std::vector<Axis>& axes) {
+      return std::any_of(axes.begin(), axes.end(), [&](const Axis& one) {
+        return one.key == axis && std::find(one.values.begin(), one.values.end(), value) != one.values.end();
+      });
+    };
+    return has(experiment.axes) || std::any_of(experiment.presets.begin(), experiment.presets.end(),
+                                               [&](const auto& preset) { return has(preset.second.axes); });
+  };
+  for (const auto& [axis, values] : experiment.require_at)
+    for (const auto& [value, least] : values)
+      if (!known(axis, value))
+        refuse(file, table.get("require"),
+               fmt::format("require.{}.{}: no axis has this name and value", axis, value));
 }
 
 std::vector<Published> read_published(const fs::path& file, const toml::table& table) {

@@ -1,6 +1,7 @@
 // Measures the CPU time of this process during a frame, and the CPU time of all other processes while one
 // case of an experiment is timed.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -56,5 +57,35 @@ inline constexpr double most_other_share = 0.1;
 /// Returns a warning of one line if other processes used more than most_other_share of the machine's CPU time
 /// while the case of `row` was timed. Returns an empty string otherwise, or if the share is unknown.
 std::string load_warning(const Row& row);
+
+/// Returns the largest resident memory of this process in bytes (VmHWM of Linux) since its start or the last
+/// reset. Returns 0 if it cannot be read.
+std::uint64_t peak_memory();
+
+/// Sets the peak resident memory of this process to its current resident memory. If Linux does not allow the
+/// reset, the peak is unchanged. peak_memory() then returns an upper bound of the peak since this call.
+void reset_peak_memory();
+
+/// If the machine is busy when a case would start, `warn` prints a warning, and `require` does not start the
+/// case. `unchecked` does not test the machine.
+enum class QuietMachine { unchecked, warn, require };
+
+/// Returns the mode for the text "warn" or "require"; "" stands for `unchecked`. Throws InputError for other
+/// texts.
+QuietMachine quiet_machine_from_text(const std::string& text);
+
+/// Measures for one second, and returns the share of the machine's CPU time that other processes used, from 0
+/// to 1. Returns no value if the share is unknown.
+std::optional<double> share_of_one_second();
+
+/// Largest number of measurements that `require` makes while it waits for a quiet machine. Each measurement
+/// with share_of_one_second() takes one second.
+inline constexpr int most_waits = 60;
+
+/// Calls `share` to measure the share of CPU time of other processes. Returns a text with this share if it is
+/// above most_other_share (harness/measure/cpu_use.hpp). Returns "" if the share is smaller or unknown, or if
+/// `mode` is `unchecked`. If the mode is `require`, the function calls `share` up to most_waits times until
+/// the machine is quiet.
+std::string disturbance(QuietMachine mode, const std::function<std::optional<double>()>& share);
 
 }  // namespace pelage

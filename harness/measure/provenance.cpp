@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "harness/hash.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {
@@ -145,6 +146,15 @@ nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info) {
   json["timer"] = info.timer_resolution_ns > 0 ? "OpenCL events and the wall clock" : "the wall clock";
   json["timer_resolution_ns"] = info.timer_resolution_ns;
   return json;
+}
+
+void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs) {
+  for (const auto& [file, hash] : cl::hashes_by_file(programs)) identity[kernel_part + file] = hash;
+}
+
+std::string build_hash() {
+  const BuildInfo& build = build_info();
+  return Hash().text(build.compiler).text(build.flags).hex();
 }
 
 }  // namespace pelage

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "harness/cl/device.hpp"
+#include "harness/cl/program.hpp"
+#include "harness/record/identity.hpp"
 
 namespace pelage {
 
@@ -27,5 +29,12 @@ nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, boo
 
 /// Returns the provenance of the device: its platform, driver, name and timer.
 nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info);
+
+/// Adds one part per program: the hash of the program's source files at the time when the program was built.
+void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs);
+
+/// Returns the hash of the compiler and the flags with which pelage was built. They influence the host's time
+/// per frame and the times of the C++ baselines.
+std::string build_hash();
 
 }  // namespace pelage

@@ -13,7 +13,6 @@
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/event_times.hpp"
 #include "harness/measure/interrupt.hpp"
-#include "harness/measure/precision.hpp"
 #include "harness/measure/provenance.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/picture/image_io.hpp"

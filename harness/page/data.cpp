@@ -46,7 +46,7 @@ Json files_json(const Report& report) {
     files[section.table.stem + ".csv"] = csv_of(section.table);
     files[section.table.stem + ".tex"] = latex_of(section.table);
   }
-  if (!report.solvers.empty()) files["topology-solvers-ratios.csv"] = csv_of(report.solvers);
+  if (!report.solvers.lines.empty()) files[report.solvers.stem + ".csv"] = csv_of(report.solvers);
   if (const auto cells = scaling_cells(report.cells); !cells.empty())
     files["scaling.csv"] = scaling_csv(cells);
   if (!report.claims.empty()) {

@@ -1,10 +1,9 @@
-#include "harness/page/pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "harness/page/page.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/picture/reduce.hpp"
 #include "harness/report/case_table.hpp"

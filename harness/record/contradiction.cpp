@@ -10,7 +10,6 @@
 
 #include "harness/base/median.hpp"
 #include "harness/hash.hpp"
-#include "harness/record/part_hashes.hpp"
 #include "harness/record/ratios.hpp"
 
 namespace pelage {

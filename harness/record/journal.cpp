@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "harness/error.hpp"
-#include "harness/record/all_results.hpp"
 
 namespace pelage {
 namespace {

@@ -81,4 +81,14 @@ class Journal {
 /// damaged line.
 std::vector<Row> read_journal(const std::filesystem::path& file);
 
+/// The rows of a journal, and the parts of the file that contribute no row.
+struct JournalContents {
+  std::vector<Row> rows;      ///< as read_journal() returns them
+  std::vector<Row> replaced;  ///< rows with the status error; later rows of this journal replace them
+  std::size_t torn = 0;       ///< length of the last line in bytes if the line is incomplete, otherwise 0
+};
+
+/// Reads a journal like read_journal().
+JournalContents read_contents(const std::filesystem::path& file);
+
 }  // namespace pelage

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "harness/error.hpp"
-#include "harness/record/part_hashes.hpp"
 
 namespace pelage {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "harness/error.hpp"
-#include "harness/record/all_results.hpp"
+#include "harness/record/journal.hpp"
 
 namespace pelage {
 

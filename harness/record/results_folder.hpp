@@ -27,6 +27,25 @@ std::vector<std::filesystem::path> journals_of(const std::vector<std::string>& p
 /// have the same run, experiment, case, variant, device, repeat and overrides, but are not equal.
 std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 
+/// A part of a journal that contributes no row to the results, and the reason.
+struct LeftOut {
+  std::string experiment, case_name;  ///< "" if the part is a line without a readable row, or a whole journal
+  std::string where;                  ///< path of the journal; "" if the reason concerns several journals
+  std::string reason;
+};
+
+struct Results {
+  std::vector<FoundRow> rows;
+  std::vector<LeftOut> left_out;
+};
+
+/// Returns the rows that read_results() returns. Also returns a list of everything else in the journals:
+/// copies of rows, rows that have the status error and are replaced by later rows, incomplete last lines, and
+/// journals without a row. Throws the same exceptions as read_results(). For example, both functions throw
+/// InputError if two rows of different measurements have equal frame times. One of these rows must then be a
+/// changed copy of the other row, because measured times are never all equal.
+Results read_all_results(const std::vector<std::string>& places);
+
 /// The name of a journal file: STEM.jsonl, or STEM.i-of-n.jsonl for shard i of n. pelage run uses DEVICE@HOST
 /// as STEM.
 struct JournalName {

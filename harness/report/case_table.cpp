@@ -11,14 +11,15 @@
 #include "harness/base/numbers.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/record/equal_pictures.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
 namespace {
 
-/// Returns the rank by which the columns of the axes are sorted: first the model, then all other axes, then
-/// the number of layers, then the picture size.
+/// The columns of the axes are sorted: first the model, then all other axes, then the number of layers, then
+/// the picture size.
 int rank(const std::string& axis) {
   if (axis == "model") return 0;
   if (axis == "layers") return 2;
@@ -51,8 +52,8 @@ Column axis_column(const std::string& axis) {
   return column;
 }
 
-/// Returns a column with a time or a frame rate. With `starred`, the column adds the marks of marks_of() to
-/// the times, and shows the status of cells without a time. Without `starred`, it shows "-" for these cells.
+/// Returns a column with a time or a frame rate. With `starred`, it adds marks_of() to the times, and shows
+/// the status of cells without a time; without, it shows "-" for these cells.
 CellColumn time_column(const std::string& name, const std::string& heading, double (*number)(const Cell&),
                        bool starred) {
   return {{name, heading}, [=](const Cell& c) {
@@ -113,8 +114,8 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
   }
 }
 
-/// Returns a map from the path of each mesh file to the file's name without folder and extension. Tables show
-/// this name instead of the path. The map omits names that several paths have in common.
+/// Returns for the path of each mesh file the name that tables show instead: the file name without folder and
+/// extension, unless several paths have it in common.
 std::map<std::string, std::string> short_model_names(const std::vector<Cell>& cells) {
   std::map<std::string, std::set<std::string>> paths;  // name -> paths
   for (const Cell& c : cells)
@@ -126,17 +127,12 @@ std::map<std::string, std::string> short_model_names(const std::vector<Cell>& ce
   return names;
 }
 
-/// Returns whether the column is an axis or the variant.
 bool is_key(const std::string& column, const std::vector<Cell>& cells) {
   return column == "variant" ||
          std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(column); });
 }
 
 }  // namespace
-
-bool timed(const Cell& c) {
-  return c.status == Status::ok && c.median_ms > 0;
-}
 
 std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   std::vector<CellColumn> columns;
@@ -336,6 +332,33 @@ std::string equal_pictures_remark(const std::vector<Cell>& cells) {
     if (timed(c))
       pictures.push_back({name_of(c), c.variant, fmt::format("{}", fmt::join(c.pixel_hashes, " "))});
   return equal_pictures(pictures);
+}
+
+std::vector<std::string> view_warnings(const View& view, const std::map<std::string, std::string>& axes) {
+  Cell cell;
+  cell.axes = axes;
+  std::vector<std::string> known{"triangles"};
+  for (const CellColumn& column : case_columns({cell})) known.push_back(column.column.name);
+  std::vector<std::string> warnings;
+  const auto check = [&](const char* key, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      // Short names resemble many columns by chance.
+      const std::string near = name.size() < 4 ? "" : nearest_name(name, known);
+      if (near.empty() || edit_distance(name, near) > 2) continue;
+      warnings.push_back(fmt::format(
+          "report.{} names the column {}, which is neither an axis nor a time of the table; did you mean {}?",
+          key, name, near));
+    }
+  };
+  check("blocks", view.blocks);
+  check("columns", view.columns);
+  check("values", view.values);
+  if (!view.x.empty()) check("x", {view.x});
+  check("y", view.y);
+  check("series", view.series);
+  check("panels", view.panels);
+  return warnings;
 }
 
 }  // namespace pelage

@@ -23,8 +23,8 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// Returns a text with the properties that must be equal in the two cells of a pair. They are the experiment,
-/// the axes, the overrides, the variant and the device, except for the property that `by` names.
+/// Returns a text with the properties that must be equal in the two cells of a pair: all but the property
+/// that `by` names.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)
@@ -45,14 +45,11 @@ struct Match {
   const Cell *a, *b;
 };
 
-/// Returns the two cells in the order `a`, `b`. But if both cells are from one set of results, the cell with
-/// the smaller value of the property `by` comes first.
 Match match_of(const Cell& a, const Cell& b, bool one_set, const CompareBy& by) {
   const bool swapped = one_set && natural_less(value_of(b, by), value_of(a, by));
   return swapped ? Match{&b, &a} : Match{&a, &b};
 }
 
-/// Returns the pairs of cells that differ only in the property that `by` names.
 std::vector<Match> equal_names(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                const CompareBy& by) {
   std::vector<std::string> names;
@@ -67,9 +64,8 @@ std::vector<Match> equal_names(const std::vector<Cell>& a, const std::vector<Cel
   return matches;
 }
 
-/// Returns the pairs of cells that have the same case on two devices and that `matches` does not contain. The
-/// variants of the two cells may differ: the default mapping of pixels to work-items depends on the device,
-/// and the name of the mapping is a part of the variant.
+/// Returns the pairs of cells of one case on two devices that `matches` does not contain. Their variants may
+/// differ (compare_cells()).
 std::vector<Match> equal_cases(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                const CompareBy& by, const std::vector<Match>& matches) {
   std::set<const Cell*> matched;
@@ -118,8 +114,6 @@ Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
   return pair;
 }
 
-/// Computes the change, its interval and the verdict of each pair. Skips a pair if one of its cells has no
-/// time.
 void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Difference>>& differences,
                   const CompareLimits& limits) {
   std::vector<Difference> known;
@@ -145,7 +139,6 @@ void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Diff
   }
 }
 
-/// Throws InputError if the set contains two cells that differ only in their identity (hashes of the inputs).
 void refuse_ambiguous(const std::vector<Cell>& cells, const CompareBy& by) {
   std::map<std::pair<std::string, std::string>, const Cell*> known;
   for (const Cell& cell : cells) {

@@ -10,8 +10,6 @@
 namespace pelage {
 namespace {
 
-/// Returns a text that consists of the row's names: experiment, case, variant, device, host and overrides.
-/// Rows with the same names have the same text.
 std::string names_of(const Row& row) {
   std::string text = fmt::format("{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
                                  row.provenance.value("host", std::string()));
@@ -19,10 +17,9 @@ std::string names_of(const Row& row) {
   return text;
 }
 
-/// The key is the result of names_of() for a case, and the value is the identity of the case.
+/// Name of a case (names_of()) -> its identity.
 using Identities = std::map<std::string, Identity>;
 
-/// Returns whether the identity of a case in `rows` differs from the identity that `set` has for this case.
 bool conflicts(const Identities& set, const std::vector<FoundRow>& rows) {
   return std::any_of(rows.begin(), rows.end(), [&](const FoundRow& found) {
     const auto place = set.find(names_of(found.row));
@@ -30,8 +27,7 @@ bool conflicts(const Identities& set, const std::vector<FoundRow>& rows) {
   });
 }
 
-/// Divides the rows of one journal into lists. Within a list, each case has only one identity. Usually, the
-/// result is one list.
+/// Divides the rows of a journal into lists in which each case has only one identity: usually one list.
 std::vector<std::vector<FoundRow>> parts_of(const std::vector<FoundRow>& journal) {
   std::vector<std::vector<FoundRow>> parts;
   std::vector<Identities> identities;
@@ -48,8 +44,7 @@ std::vector<std::vector<FoundRow>> parts_of(const std::vector<FoundRow>& journal
   return parts;
 }
 
-/// Returns one list of rows per journal. The lists are in the order in which the journals first occur in
-/// `rows`.
+/// Returns one list of rows per journal, in the order of their first rows.
 std::vector<std::vector<FoundRow>> journals_of(const std::vector<FoundRow>& rows) {
   std::vector<std::vector<FoundRow>> journals;
   std::map<std::filesystem::path, std::size_t> index;

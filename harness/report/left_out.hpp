@@ -1,27 +1,26 @@
-// Lists the cases and the parts of journals that the other tables of a report leave out. Every case is either
-// in a table with its time, or in this list with the reason.
+// Lists what the other tables of a report leave out: every case is either in a table with its time, or here
+// with the reason.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "harness/record/all_results.hpp"
 #include "harness/report/sections.hpp"
 
 namespace pelage {
 
-/// Returns one entry for each run, or shard (part of a run), in which some cases have no row. An entry states
-/// only the number of these cases, because a row does not contain the names of the other cases of its run.
-/// `rows` were read from `journals`.
+/// Returns one entry for each run or shard in which some cases have no row. It states only their number,
+/// because the rows do not contain the names of the other cases of their run. `rows` were read from
+/// `journals`.
 std::vector<LeftOut> missing_cases(const std::vector<std::filesystem::path>& journals,
                                    const std::vector<FoundRow>& rows);
 
-/// Returns one entry for each cell without a time. If some cells of an experiment have a ratio to the OpenGL
-/// baseline, also returns one entry for each cell of this experiment that has a time but no such ratio. Adds
-/// one entry for each row whose event times were left out because they are implausible.
+/// Returns one entry for each cell without a time, for each cell without a ratio to the OpenGL baseline if
+/// others of its experiment and variant have one, and for each row whose implausible event times were left
+/// out.
 std::vector<LeftOut> without_numbers(const std::vector<Cell>& cells, const std::vector<FoundRow>& rows);
 
-/// Returns the section "Left out" with this list. Its files are named left-out. The list must not be empty.
+/// Returns the section "Left out" with this list, which must not be empty.
 Section left_out_section(const std::vector<LeftOut>& list);
 
 }  // namespace pelage

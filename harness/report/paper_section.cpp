@@ -1,5 +1,5 @@
-// Makes the report section that compares our frame rates with the frame rates that a paper published. Its
-// table has the layout of the paper's table.
+// Makes the report section that compares our frame rates with published ones, in the layout of the paper's
+// table.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +12,10 @@
 namespace pelage {
 namespace {
 
-/// Converts a frame rate to a frame time in ms. Returns nothing if the frame rate is missing or 0.
 std::optional<double> ms_of(std::optional<double> fps) {
   return fps && *fps > 0 ? std::optional(1000 / *fps) : std::nullopt;
 }
 
-/// Returns a column. The function `number` computes the column's values from the paper's frame rate.
 CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metric& paper)) {
   return {{name, name}, [number](const Cell& c) {
             const auto paper = c.paper_fps();
@@ -25,8 +23,6 @@ CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metr
           }};
 }
 
-/// Returns a column. The function `number` computes the column's values from the ratio of our frame rate to
-/// the paper's frame rate.
 CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Ratio& ratio)) {
   return {{name, name}, [number](const Cell& c) {
             const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;

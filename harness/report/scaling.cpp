@@ -31,8 +31,7 @@ std::array<int, 2> size_of(const Cell& cell) {
   return {size.width, size.height};
 }
 
-/// Returns the cell that has `layers` layers and otherwise the same device, host, variant, model and picture
-/// size as the cell `like`. Returns null if there is no such cell.
+/// Returns the cell with `layers` layers that is otherwise like the cell `like`; null if there is none.
 const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int layers) {
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
     return c.device == like.device && c.host == like.host && c.variant == like.variant &&

@@ -24,9 +24,9 @@ bool any_axis(const std::vector<Cell>& cells, const char* axis) {
   return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(axis); });
 }
 
-/// Returns the beginning of the file names for a group of cells, such as "scaling-up-z-mine-800x600". For
-/// each key that the user changed, this text contains the last part of the key and the value ("up-z" for
-/// mesh.up = z). For the keys `model` and `size`, this text contains only the value.
+/// Returns the beginning of the file names for a group of cells, such as "scaling-up-z-mine-800x600": for
+/// each key that the user changed, the last part of the key and the value; for `model` and `size` only the
+/// value.
 std::string stem_of(const Cell& cell, const Sources& sources) {
   std::string stem = cell.experiment;
   if (sources.several_devices) stem += "-" + cell.device;
@@ -66,8 +66,7 @@ std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string&
   return case_sections(cells, stem, sources);
 }
 
-/// Makes the file names of the sections unique: if two sections have the file name x, the second one is
-/// renamed to x-2.
+/// Makes the file names unique: of two sections with the file name x, the second one is renamed to x-2.
 void separate(std::vector<Section>& sections) {
   std::map<std::string, int> uses;
   for (Section& section : sections) {

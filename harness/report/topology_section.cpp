@@ -17,8 +17,7 @@ std::string all_but_topology(Cell cell) {
   return name_of(cell) + "\n" + cell.variant;
 }
 
-/// Returns the topologies that occur in `cells`, in the order in which the key dynamics.topology lists its
-/// choices.
+/// Returns the topologies of the cells in the order of the key's choices.
 std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Table& table) {
   std::vector<std::string> names;
   for (const std::string& name : table.columns[std::size_t(column_of(table, axis))].order)
@@ -27,8 +26,8 @@ std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Tab
   return names;
 }
 
-/// Returns the cell with the topology `first` whose variant and other axes are equal to those of `like`.
-/// Returns null if there is no such cell, or if the cell has no time.
+/// Returns the cell with the topology `first` and a time that is otherwise like `like`; null if there is
+/// none.
 const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
   const std::string place = all_but_topology(like);
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
@@ -42,8 +41,6 @@ std::optional<double> simulate_ms(const Cell& c) {
   return found == c.phase_ms.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Returns a table with one line per topology. Each line contains the topology's frame time divided by the
-/// frame time of the first topology, and the simulation's share of the frame time.
 Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& topologies) {
   Table table;
   table.title = "Simulation's share of the frame time";

@@ -6,12 +6,10 @@
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
-#include "harness/measure/program_hashes.hpp"
 #include "harness/measure/provenance.hpp"
-#include "harness/record/part_hashes.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
-#include "harness/subjects/baseline_scene.hpp"
+#include "harness/subjects/in_turns.hpp"
 
 namespace pelage {
 namespace {

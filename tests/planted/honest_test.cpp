@@ -3,7 +3,7 @@
 // second table of docs/results.md lists these tests.
 #include <algorithm>
 
-#include "harness/record/part_hashes.hpp"
+#include "harness/record/identity.hpp"
 #include "harness/report/left_out.hpp"
 #include "tests/planted/runs.hpp"
 

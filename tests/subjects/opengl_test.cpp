@@ -1,6 +1,7 @@
 // A subject is an object whose frames an experiment times. This file tests the subject that draws frames with
 // two pipelines alternately, and the experiments that use this subject.
-#include "harness/subjects/opengl.hpp"
+
+#include "harness/shells/opengl/opengl.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,6 @@
 
 #include "harness/measure/runner.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/shells/opengl/opengl.hpp"
 #include "harness/subjects/pipelines.hpp"
 #include "harness/subjects/with_opengl.hpp"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "harness/measure/program_hashes.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/study.hpp"
