@@ -6,12 +6,11 @@
 
 namespace pelage::claims {
 
-/// Reads a file of claims and the files that its key `include` names. If a file has an error, throws
-/// InputError, whose message names the file, the line, the key and the correct form.
+/// Reads a file of claims and the files that its key `include` names. The InputError for a file with an error
+/// names the file, the line, the key and the correct form.
 ClaimFile read_claims(const std::filesystem::path& file);
 
-/// Returns the path of the shipped file experiments/claims.toml. Takes it from the first folder of
-/// data_folders() that contains it. Throws InputError if no folder contains it.
+/// Returns the path of the shipped file experiments/claims.toml. Throws InputError if it is not installed.
 std::filesystem::path shipped_claims();
 
 }  // namespace pelage::claims

@@ -23,13 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the text as a TOML string in quotes. The JSON writer is used because JSON's
-/// escape sequences are also valid in TOML.
+/// Returns the text as a TOML string; JSON's escape sequences are also valid in TOML.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
 }
 
-/// Returns the scene keys that the value `value` of the axis `axis` sets, and their values as TOML text.
+/// Returns the scene keys that the value of the axis sets, with their values as TOML text.
 std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
@@ -41,9 +40,8 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
   return {};
 }
 
-/// Returns an axis value as text that may be part of a file name. The path of a model file is reduced to its
-/// stem, unless another value of the axis has the same stem. All characters except letters, digits, '.' and
-/// '_' are replaced by '_'.
+/// Returns an axis value as a part of a file name: of a mesh file the stem, unless another value of the axis
+/// has the same, and '_' for all characters except letters, digits, '.' and '_'.
 std::string fit_for_a_name(const Axis& axis, const std::string& value) {
   std::string text = value;
   if (axis.key == "model") {
@@ -329,8 +327,8 @@ Shard shard_from_text(const std::string& text) {
 }
 
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed) {
-  // This is the Fisher-Yates shuffle. std::shuffle is not used, because its order depends on the standard
-  // library. A recorded seed must give the same order everywhere.
+  // Fisher-Yates, because the order of std::shuffle depends on the standard library, and a recorded seed must
+  // give the same order everywhere.
   std::mt19937_64 random(seed);
   for (std::size_t i = cases.size(); i > 1; --i) std::swap(cases[i - 1], cases[random() % i]);
   return cases;

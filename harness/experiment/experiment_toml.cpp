@@ -1,15 +1,15 @@
-// Reads experiment files (experiments/*.toml). An axis is a quantity that varies over an experiment's cases.
+// Reads experiment files (experiments/*.toml).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <re2/re2.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <sstream>
 
+#include "harness/base/numbers.hpp"
 #include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
@@ -34,8 +34,7 @@ const std::set<std::string, std::less<>> reserved{"name",       "title",    "pap
                                                   "collection", "hardware", "axes",   "scene",
                                                   "published",  "require",  "preset", "report"};
 
-/// Columns of exported CSV files and data frames. Each axis becomes a column too, so an axis must not have
-/// one of these names.
+/// Columns of exported CSV files and data frames, in which each axis becomes a column too.
 const std::set<std::string, std::less<>> columns{"case",       "clock",   "contended", "converged", "device",
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
@@ -75,8 +74,7 @@ std::string plain(const toml::node& node) {
   return literal(node);
 }
 
-/// Returns a number as it is written in the file: 0.10 stays 0.10 and does not become 0.1. For values that
-/// are not numbers, returns plain().
+/// Returns a number as it is written in the file (0.10 stays 0.10), and plain() of other values.
 std::string as_written(const toml::node& node, const Source& source) {
   const toml::source_region& at = node.source();
   if (!node.is_number() || at.begin.line == 0 || at.begin.line != at.end.line) return plain(node);
@@ -86,15 +84,12 @@ std::string as_written(const toml::node& node, const Source& source) {
       source.text.substr(start + at.begin.column - 1, at.end.column - at.begin.column);
   // toml++ counts columns in characters, but `text` is indexed in bytes. If a character of several bytes
   // precedes the number in its line, `written` is therefore not the number. The following test detects this.
-  double number = 0;
-  const auto [end, code] = std::from_chars(written.data(), written.data() + written.size(), number);
-  const bool whole = code == std::errc{} && end == written.data() + written.size();
-  return whole && number == node.value<double>() ? written : plain(node);
+  const std::optional<double> number = double_of(written);
+  return number && number == node.value<double>() ? written : plain(node);
 }
 
 /// Appends the table's settings with dotted keys, so that [fur] length = 1 and fur.length = 1 give the same
-/// setting. Throws InputError if a key is not a scene key, or if its value is not permitted. Skips the keys
-/// for which `other` returns true.
+/// setting, after checking them. Skips the keys for which `other` returns true.
 void flatten(const fs::path& file, const toml::table& table, const std::string& prefix,
              bool (*other)(std::string_view), std::vector<Setting>& into) {
   for (const auto& [key, node] : table) {
@@ -153,8 +148,8 @@ double number_at(const fs::path& file, const toml::table& table, std::string_vie
   return *value;
 }
 
-/// Adds the axes of `table` and of the tables in it to `found`. The tables in it come from dotted keys: TOML
-/// reads `curl.radius = [1, 2]` as a table `curl` with the key `radius`.
+/// Adds the axes of `table` and of the tables in it, which come from dotted keys: TOML reads `curl.radius =
+/// [1, 2]` as a table `curl` with the key `radius`.
 void find_axes(const Source& source, const toml::table& table, const std::string& prefix,
                std::vector<std::pair<toml::source_position, Axis>>& found) {
   for (const auto& [key, node] : table) {
@@ -337,8 +332,6 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
   }
 }
 
-/// Reads the table [scene]: the key `file`, which names a scene file, and the scene keys that override values
-/// of the scene file.
 void read_scene_table(const fs::path& file, const toml::table& table, Experiment& into) {
   flatten(
       file, table, {}, [](std::string_view key) { return key == "file"; }, into.scene);
@@ -354,9 +347,9 @@ void read_scene_table(const fs::path& file, const toml::table& table, Experiment
   }
 }
 
-/// Reads the tables of an axis whose name the author of the file chose. Throws InputError if no axis has the
-/// name `axis`. Also throws InputError if a table's name is not among the axis's values and, in addition,
-/// some value of the axis has no table. The name of the table or this value is then probably misspelled.
+/// Reads the tables of an axis whose name the author of the file chose. Throws InputError if no axis has this
+/// name, or if a table's name is not among the axis's values while some value has no table: one of the names
+/// is probably misspelled.
 void read_tables_of_own_axis(const fs::path& file, const std::string& axis, const toml::node& node,
                              Experiment& into) {
   std::set<std::string> values;

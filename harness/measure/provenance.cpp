@@ -39,6 +39,16 @@ std::string utc(const char* format) {
   return text.data();
 }
 
+/// Returns the values of a field of /proc/cpuinfo, one for each CPU.
+std::vector<std::string> cpu_values(std::string_view field) {
+  std::ifstream stream("/proc/cpuinfo");
+  std::vector<std::string> values;
+  for (std::string line; std::getline(stream, line);)
+    if (const std::size_t colon = line.find(": "); line.starts_with(field) && colon != std::string::npos)
+      values.push_back(line.substr(colon + 2));
+  return values;
+}
+
 std::string os_name() {
   std::ifstream stream("/etc/os-release");
   for (std::string line; std::getline(stream, line);)
@@ -66,15 +76,10 @@ double unix_time() {
 }
 
 double cpu_mhz() {
-  std::ifstream stream("/proc/cpuinfo");
+  const std::vector<std::string> cpus = cpu_values("cpu MHz");
   double sum = 0;
-  int count = 0;
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.starts_with("cpu MHz")) continue;
-    sum += std::strtod(line.c_str() + line.find(':') + 1, nullptr);
-    ++count;
-  }
-  return count > 0 ? sum / count : -1;
+  for (const std::string& mhz : cpus) sum += std::strtod(mhz.c_str(), nullptr);
+  return cpus.empty() ? -1 : sum / double(cpus.size());
 }
 
 std::string host_name() {
@@ -85,13 +90,8 @@ std::string host_name() {
 }
 
 std::string cpu_model() {
-  std::ifstream stream("/proc/cpuinfo");
-  for (std::string line; std::getline(stream, line);)
-    if (line.starts_with("model name")) {
-      const std::size_t colon = line.find(':');
-      return colon == std::string::npos ? std::string{} : line.substr(colon + 2);
-    }
-  return {};
+  const std::vector<std::string> names = cpu_values("model name");
+  return names.empty() ? std::string{} : names.front();
 }
 
 std::string governor() {

@@ -4,10 +4,10 @@
 #include <zlib.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "harness/base/numbers.hpp"
 #include "harness/record/contradiction.hpp"
 #include "harness/record/ratios.hpp"
 
@@ -32,9 +32,8 @@ std::string checksum(std::string_view text) {
 
 /// Returns a JSON number if `text` is a number ("16" becomes 16), else a JSON string.
 Json typed(const std::string& text) {
-  double number = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return text;
+  const std::optional<double> number = double_of(text);
+  if (!number || !std::isfinite(*number)) return text;
   Json parsed = Json::parse(text, nullptr, false);
   return parsed.is_number() && parsed.dump() == text ? parsed : Json(text);
 }

@@ -36,9 +36,8 @@ std::string common_name(const Cell& cell, const CompareBy& by) {
   return name;
 }
 
-bool has_times(const Cell& cell) {
-  return cell.median_ms > 0;
-}
+/// The verdicts of Side::below, within, above and undecided.
+constexpr Verdict of_side[] = {Verdict::faster, Verdict::same, Verdict::slower, Verdict::undecided};
 
 /// Two cells to compare.
 struct Match {
@@ -81,32 +80,18 @@ std::vector<Match> equal_cases(const std::vector<Cell>& a, const std::vector<Cel
   return more;
 }
 
-Verdict verdict_of(Side side) {
-  switch (side) {
-    case Side::below:
-      return Verdict::faster;
-    case Side::within:
-      return Verdict::same;
-    case Side::above:
-      return Verdict::slower;
-    case Side::undecided:
-      break;
-  }
-  return Verdict::undecided;
-}
-
 Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
   Pair pair;
   pair.name = common_name(a, by);
   if (by.text == "device" && a.variant != b.variant) pair.name += " -> " + b.variant;
   pair.a = value_of(a, by);
   pair.b = value_of(b, by);
-  pair.a_ms = has_times(a) ? typical_ms(a.timings) : 0;
-  pair.b_ms = has_times(b) ? typical_ms(b.timings) : 0;
+  pair.a_ms = timed(a) ? typical_ms(a.timings) : 0;
+  pair.b_ms = timed(b) ? typical_ms(b.timings) : 0;
   pair.a_processes = a.timings.processes.size();
   pair.b_processes = b.timings.processes.size();
   pair.contended = a.contended || b.contended;
-  if (has_times(a) && !has_times(b)) {
+  if (timed(a) && !timed(b)) {
     pair.verdict = Verdict::lost;
     pair.reason = std::string(to_text(b.status));
     if (!b.reason.empty()) pair.reason += ": " + b.reason;
@@ -132,7 +117,7 @@ void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Diff
     pair.paired = difference.paired;
     pair.assumed = difference.assumed;
     pair.detectable = detectable_change(difference, known.size(), limits.threshold, limits.alpha);
-    pair.verdict = verdict_of(decision.side);
+    pair.verdict = of_side[std::size_t(decision.side)];
     if (pair.verdict == Verdict::undecided)
       pair.needed = processes_needed(difference, std::min(pair.a_processes, pair.b_processes), known.size(),
                                      limits.threshold, limits.alpha);
@@ -171,7 +156,7 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
   std::vector<std::optional<Difference>> differences;  // one per pair; empty if a time is missing
   for (const auto& [first, second] : matches) {
     pairs.push_back(pair_of(*first, *second, by));
-    differences.push_back(has_times(*first) && has_times(*second)
+    differences.push_back(timed(*first) && timed(*second)
                               ? std::optional(difference_of(first->timings, second->timings))
                               : std::nullopt);
   }
@@ -186,19 +171,8 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
 }
 
 std::string_view to_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::same:
-      return "same";
-    case Verdict::faster:
-      return "faster";
-    case Verdict::slower:
-      return "slower";
-    case Verdict::undecided:
-      break;
-    case Verdict::lost:
-      return "lost";
-  }
-  return "undecided";
+  static constexpr std::string_view names[] = {"same", "faster", "slower", "undecided", "lost"};
+  return names[std::size_t(verdict)];
 }
 
 double fraction_from_text(const std::string& option, const std::string& text) {

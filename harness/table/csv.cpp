@@ -1,6 +1,5 @@
 // Writes tables as CSV (comma-separated values).
-#include <charconv>
-
+#include "harness/base/numbers.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -10,10 +9,7 @@ namespace {
 /// with =, +, -, @, a tab or a carriage return, and is not a number.
 bool is_formula(const std::string& text) {
   if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
-  double number = 0;
-  const char* first = text.data() + (text.front() == '+' ? 1 : 0);
-  const auto [end, code] = std::from_chars(first, text.data() + text.size(), number);
-  return code != std::errc{} || end != text.data() + text.size();
+  return !double_of(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
@@ -43,24 +45,12 @@ std::string head_of(const Pivot& pivot, const Pivot::Block& block) {
 }  // namespace
 
 std::string html_text(const std::string& text) {
+  static const std::map<char, std::string_view> escapes{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string result;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
+    const auto escape = escapes.find(c);
+    result += escape == escapes.end() ? std::string_view(&c, 1) : escape->second;
   }
   return result;
 }
