@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t most_sets = 5, most_names = 5;
 
-/// Returns the names, each in parentheses, because a name may contain commas: "(a) and (b)", "(a), (b) and
-/// (c)" or "(a), (b), (c), (d), (e) and 3 others".
+/// Returns the names in parentheses, because they may contain commas: "(a), (b) and (c)", or "... and 3
+/// others".
 std::string list_text(const std::vector<std::string>& names) {
   std::string text;
   const std::size_t shown = std::min(names.size(), most_names);

@@ -13,9 +13,9 @@ struct CasePicture {
   std::string hash;   ///< hash of the pixels; "" if the case has no picture
 };
 
-/// Returns a sentence that names up to five sets of cases with equal pictures: "Equal pictures: (dry)
-/// and (soaked). The settings in which these cases differ change no pixel." Returns "" if all pictures
-/// differ. Several pictures with the same name count as one.
+/// Returns a sentence that names up to five sets of cases with equal pictures: "Equal pictures: (dry) and
+/// (soaked). The settings in which these cases differ change no pixel."; "" if all differ. Pictures with the
+/// same name count as one.
 std::string equal_pictures(const std::vector<CasePicture>& pictures);
 
 }  // namespace pelage

@@ -14,8 +14,7 @@ std::string shown(const Identity& identity, const std::string& part) {
   return found == identity.end() ? "absent" : found->second;
 }
 
-/// Returns the text that messages print for a part of an identity. For a kernel, the text mentions the files
-/// that the kernel includes, because the hash of the kernel depends on them.
+/// Returns the name of the part in messages. The hash of a kernel also depends on the files that it includes.
 std::string label_of(const std::string& part) {
   return part.starts_with(kernel_part) ? part + " with its includes" : part;
 }

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of the journal to which a row is written, relative to the folder that the merge creates.
+/// The journal to which a row is written, relative to the folder that the merge creates.
 fs::path journal_of(const FoundRow& found) {
   return fs::path(found.row.experiment) / (journal_name(found.journal).stem + ".jsonl");
 }
@@ -36,9 +36,8 @@ void refuse_names(const FoundRow& found) {
                       found.journal.string(), name));
 }
 
-/// Returns the properties that must be equal in all rows of a run, even if the rows have different cases.
-/// They are the preset, the CPU, the driver, the schema, and those hashes of Row::identity that do not depend
-/// on the case. Rows with the status error may lack some of these properties.
+/// Returns the properties that must be equal in all rows of a run, even of different cases. Rows with the
+/// status error may lack some of them.
 std::map<std::string, std::string> common_of(const Row& row) {
   std::map<std::string, std::string> common;
   for (const auto& [part, hash] : row.identity)
@@ -104,8 +103,6 @@ class Target {
   std::map<std::pair<std::string, std::string>, std::pair<std::string, const FoundRow*>> common_;
 };
 
-/// Returns the rows that the merge keeps. A row with the status error is dropped if another row of the same
-/// case replaces it.
 std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   std::map<std::string, const FoundRow*> latest;  // key -> the row to keep
   for (const FoundRow& found : rows) {
@@ -121,9 +118,8 @@ std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   return kept;
 }
 
-/// Divides the rows into groups. All rows of a group are written into the same folder. Each group contains
-/// rows of only one journal. If rows of a journal conflict with each other, the journal is divided into
-/// several groups without conflicts.
+/// Divides the rows into groups that are written into the same folder: the rows of a journal, in several
+/// groups if they conflict with each other.
 std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>& rows) {
   std::vector<fs::path> journals;
   std::map<fs::path, std::vector<std::pair<Target, std::vector<const FoundRow*>>>> parts;

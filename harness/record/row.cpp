@@ -54,7 +54,7 @@ std::map<std::string, std::string> strings(const Json& values) {
   return result;
 }
 
-/// Returns `value` as a JSON number. Infinity and NaN become JSON strings, because JSON has no such numbers.
+/// Infinity and NaN become JSON strings, because JSON has no such numbers.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
 }
@@ -106,8 +106,7 @@ void check_provenance(const Json& provenance) {
 
 constexpr int deepest = 32;  // largest permitted depth of nested JSON values in a row
 
-/// Parses a row. Throws InputError for deeply nested values, because copying and printing such values would
-/// overflow the stack.
+/// Refuses deeply nested values, because copying and printing them would overflow the stack.
 Json parsed(const std::string& text) {
   return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
     if (depth > deepest)
