@@ -1,6 +1,5 @@
 // Tests whether the OpenCL event times of a case are plausible, given its wall times. Some drivers return
-// event times that are unrelated to the duration of the kernels. harness/cl/timer.hpp contains another test,
-// which `pelage devices` uses.
+// event times that are unrelated to the duration of the kernels. harness/cl/timer.hpp has another test.
 #pragma once
 #include <map>
 #include <string>
@@ -17,8 +16,8 @@ namespace pelage {
 /// - they are equal in six or more frames whose wall times differ.
 std::string implausible_events(const std::map<std::string, PhaseSamples>& samples);
 
-/// If the row's event times are implausible, removes them, and removes phases that then have no times. Writes
-/// the reason into the entry "event_times" of the row's provenance.
+/// Removes implausible event times of the row, and phases that then have no times, and writes the reason into
+/// the entry "event_times" of the provenance.
 void remove_implausible_events(Row& row);
 
 }  // namespace pelage

@@ -35,9 +35,8 @@ std::string picture_hash(const Picture& picture) {
       .hex();
 }
 
-/// Sets the status and the reason of a row of results. The status becomes `diverged` if the picture has
-/// values that are not finite, and `failed_check` if the row has no check or a check does not hold. Otherwise
-/// it stays `ok`.
+/// Sets the status and the reason of a row: `diverged` if the picture has values that are not finite,
+/// `failed_check` if the row has no check or a check does not hold.
 void judge(Row& row, const Picture& picture) {
   if (!finite(picture)) {
     row.status = Status::diverged;

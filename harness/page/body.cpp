@@ -112,8 +112,7 @@ void add_plot(Body& body, const Report& report, const ReportPlot& plot, const st
   body.add("</p>\n</figure>\n");
 }
 
-/// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ". If there is no such part, returns
-/// the name of the experiment.
+/// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ", or else the name of the experiment.
 std::string detail_of(const std::string& subtitle) {
   const std::size_t comma = subtitle.find(", ");
   return comma == std::string::npos ? subtitle.substr(0, subtitle.find(" on ")) : subtitle.substr(comma + 2);
@@ -177,8 +176,7 @@ void add_report(Body& body, const Report& report) {
   add_claims(body, report);
 }
 
-/// Adds the pictures, and an empty element. In this element, web/gallery.js shows two pictures for
-/// comparison.
+/// Adds the pictures, and an empty element in which web/gallery.js shows two pictures for comparison.
 void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts& parts) {
   if (parts.pictures.empty()) return;
   body.heading("Pictures of the timed frames", 1);

@@ -1,5 +1,4 @@
-// Writes the JSON data that the scripts of the HTML report read. A cell is the combined result of one case
-// (harness/report/cells.hpp).
+// Writes the JSON data that the scripts of the HTML report read.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -23,8 +22,8 @@ std::string label_of(const Cell& cell) {
   return text;
 }
 
-/// Returns the cells of one report as JSON, with the indices of their rows. The page has one list of the rows
-/// of all reports. `first` is the index of this report's first row in that list.
+/// Returns the cells of one report with the indices of their rows. `first` is the index of this report's
+/// first row in the page's list of all rows.
 Json cells_json(const Report& report, std::size_t first) {
   Json cells = Json::array();
   for (const Cell& cell : report.cells) {

@@ -37,8 +37,8 @@ std::vector<Source> sources_of(const std::vector<Report>& reports) {
   return sources;
 }
 
-/// Reads the pictures, scales wider pictures down to a width of `width` pixels and compresses all pictures.
-/// If a picture cannot be read, removes it from `sources` and adds a note.
+/// Reads the pictures, scales them down to at most `width` pixels and compresses them. If a picture cannot be
+/// read, removes it from `sources` and adds a note.
 std::vector<PagePicture> pictures_of(std::vector<Source>& sources, int width, int quality,
                                      std::vector<std::string>& notes) {
   std::vector<PagePicture> pictures;
@@ -68,8 +68,7 @@ std::vector<PagePicture> page_pictures(const std::vector<Report>& reports, const
                                        std::vector<std::string>& notes) {
   std::vector<Source> sources = sources_of(reports);
   // The first guess of the width assumes that a compressed picture takes 0.1 bytes per pixel and that its
-  // height is 0.7 times its width. If both assumptions are right, all pictures together take limits.bytes
-  // bytes.
+  // height is 0.7 times its width.
   const double guess =
       std::sqrt(double(limits.bytes) / (0.07 * double(std::max<std::size_t>(1, sources.size()))));
   int width = int(std::clamp(guess, double(limits.least_width), double(limits.most_width)));

@@ -18,8 +18,7 @@ std::string hash(const std::string& text) {
   return Hash().text(text).hex();
 }
 
-/// Returns the sampling limits as text. Every number has its shortest decimal form, so that equal limits have
-/// equal texts.
+/// Every number has its shortest decimal form, so that equal limits have equal texts.
 std::string text_of(const SamplingLimits& l) {
   return fmt::format("{} {} {} {} {}", l.warm_up_s, l.least, l.most, l.precision, l.limit_s);
 }

@@ -1,4 +1,4 @@
-// The frames of a backend (harness/system/system.hpp) as a subject that the harness can time.
+// The frames of a backend (harness/system/system.hpp) as a subject.
 #pragma once
 #include "harness/base/median.hpp"
 #include "harness/measure/subject.hpp"
@@ -14,8 +14,8 @@ class SimulationTimes {
     if (found != sample.phase_event_ms.end()) ms_.push_back(found->second);
   }
 
-  /// Adds the metric `simulate_ns_per_segment`: the median time divided by the number of simulated segments,
-  /// a segment being the part of a hair between two simulated points.
+  /// Adds the metric `simulate_ns_per_segment`: the median time per simulated segment, the part of a hair
+  /// between two simulated points.
   void describe(Row& row, std::size_t segments) const {
     if (ms_.empty() || segments == 0) return;
     row.metrics["simulate_ns_per_segment"] = {1e6 * median(ms_) / double(segments), "ns"};

@@ -28,8 +28,7 @@ std::size_t fur_pixels(const Picture& picture) {
   return count;
 }
 
-/// Returns the picture of the means of squares of `side` x `side` pixels. Squares that are not entirely
-/// inside the picture are left out.
+/// Returns the means of squares of `side` x `side` pixels that are entirely inside the picture.
 Picture block_means(const Picture& picture, int side) {
   Picture means{picture.width / side, picture.height / side, {}};
   for (int y = 0; y < means.height; ++y)

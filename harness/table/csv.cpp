@@ -5,8 +5,8 @@
 namespace pelage {
 namespace {
 
-/// Returns whether a spreadsheet could interpret the text as a formula. This is the case if the text begins
-/// with =, +, -, @, a tab or a carriage return, and is not a number.
+/// Whether a spreadsheet could take the text for a formula: it begins with =, +, -, @, a tab or a carriage
+/// return, and is not a number.
 bool is_formula(const std::string& text) {
   if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
   return !double_of(std::string_view(text).substr(text.front() == '+' ? 1 : 0));

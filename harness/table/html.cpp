@@ -11,8 +11,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a table cell (an HTML element "td"). The HTML report sorts a table by the attribute data-sort of
-/// its cells, or by their text if this attribute is missing. The attribute data-cell contains Value::cell.
+/// Returns a "td" element. The page sorts a table by the attribute data-sort of its cells, or else by their
+/// text. data-cell contains Value::cell.
 std::string cell_of(const std::optional<Value>& value) {
   if (!value) return "<td>–</td>";
   std::string attributes;
