@@ -64,28 +64,22 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
 Section paper_section(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
   sort_cells(cells);  // by the number of triangles, like the papers' tables
   const Cell& any = cells.front();
-  auto columns = paper_columns(cells);
   const Experiment experiment = shipped_experiment(any.experiment).value_or(Experiment{});
-  Section section = section_of(cells, columns, stem, sources);
-  Table& table = section.table;
-  if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
-  if (any.reading() != "default") table.stem += "-" + any.reading();
-  if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
-  table.layout = {present(table, {"layers"}),
-                  present(table, {"model", "triangles"}),
-                  present(table, {"size"}),
-                  {"fps", "paper_fps", "ratio"}};
-  add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
-  table.remarks = {
+  std::vector<std::string> remarks{
       "Frames per second: 1000 divided by the median wall time of a warm frame in ms. The wall time lasts "
       "from the frame's first enqueued kernel to the end of its last kernel.",
       "Ratio: ours divided by the paper's."};
   if (!experiment.hardware.empty())
-    table.remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
-                                        experiment.table.empty() ? "the paper" : experiment.table,
-                                        experiment.hardware));
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
+    remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
+                                  experiment.table.empty() ? "the paper" : experiment.table,
+                                  experiment.hardware));
+  Section section =
+      section_of(cells, paper_columns(cells), stem, sources,
+                 {{"layers"}, {"model", "triangles"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
+  Table& table = section.table;
+  if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
+  if (any.reading() != "default") table.stem += "-" + any.reading();
+  if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
   View view = view_of(cells);
   if (view.x.empty() && column_of(table, "triangles") >= 0) {
     view.x = "triangles";

@@ -118,22 +118,15 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
                           fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, marks_of(cell), m.low.value_or(0),
                                       m.high.value_or(0))};
            }};
-  Section section = section_of(cells, columns, stem + "-ratio", sources);
-  Table& table = section.table;
-  table.layout = {present(table, {"reading"}),
-                  present(table, {"model", "triangles"}),
-                  present(table, {"layers", "size"}),
-                  {"opengl_ratio"}};
-  add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
   const auto renderer =
       std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return !c.renderer.empty(); });
-  table.remarks = {
-      fmt::format("Time of the paper's pipeline ({}) divided by ours, for the same picture in the same "
-                  "round: median over the "
-                  "rounds, and its 95% interval.",
-                  renderer == cells.end() ? "OpenGL" : renderer->renderer)};
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
+  Section section = section_of(
+      cells, columns, stem + "-ratio", sources,
+      {{"reading"}, {"model", "triangles"}, {"layers", "size"}, {"opengl_ratio"}},
+      {fmt::format("Time of the paper's pipeline ({}) divided by ours, for the same picture in the "
+                   "same round: median over the rounds, and its 95% interval.",
+                   renderer == cells.end() ? "OpenGL" : renderer->renderer)});
+  Table& table = section.table;
   for (std::string& sentence : means_of(cells)) table.remarks.push_back(std::move(sentence));
   if (std::string sentence = overhead_of(cells); !sentence.empty())
     table.remarks.push_back(std::move(sentence));

@@ -110,11 +110,19 @@ std::string title_of(const std::vector<Cell>& cells) {
 }
 
 Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
-                   const std::string& stem, const Sources& sources) {
+                   const std::string& stem, const Sources& sources, const Layout& layout,
+                   std::vector<std::string> remarks) {
   Section section{table_of(cells, columns), {}};
-  section.table.title = title_of(cells);
-  section.table.subtitle = subtitle_of(cells, sources.several_hosts);
-  section.table.stem = stem;
+  Table& table = section.table;
+  table.title = title_of(cells);
+  table.subtitle = subtitle_of(cells, sources.several_hosts);
+  table.stem = stem;
+  table.layout = {present(table, layout.blocks), present(table, layout.rows), present(table, layout.groups),
+                  present(table, layout.values)};
+  add_varying_keys(table, cells);
+  add_footnotes(table, sources.note);
+  table.remarks = std::move(remarks);
+  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   return section;
 }
 

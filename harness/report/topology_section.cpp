@@ -75,8 +75,7 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
   }
   table.remarks = {
       "Frame: frame time divided by the frame time of the first topology (geometric mean over the cases). "
-      "Share: "
-      "time of the simulation divided by the frame time."};
+      "Share: time of the simulation divided by the frame time."};
   return table;
 }
 
@@ -98,19 +97,12 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
     if (c.column.name == "median_ms") c.column.heading = "frame";
     if (c.column.name == "simulate_ms") c.column.heading = "simulate";
   }
-  Section section = section_of(cells, columns, stem, sources);
+  Section section = section_of(
+      cells, columns, stem, sources,
+      {{"layers", "size"}, {"model", "triangles"}, {axis}, {"median_ms", "simulate_ms"}},
+      {"frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, "
+       "measured by the device's timer."});
   Table& table = section.table;
-  table.layout = {present(table, {"layers", "size"}),
-                  present(table, {"model", "triangles"}),
-                  {axis},
-                  present(table, {"median_ms", "simulate_ms"})};
-  add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
-  table.remarks = {
-      "frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, "
-      "measured "
-      "by the device's timer."};
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
   if (view == View{} && column_of(table, "triangles") >= 0)
     view = {.x = "triangles",
