@@ -104,9 +104,9 @@ struct Case {
 
 /// The command-line options --set, --axis and --model, which change an experiment.
 struct Overrides {
-  std::vector<Setting> set;
-  std::vector<Axis> axes;
-  std::string model;
+  std::vector<Setting> set = {};
+  std::vector<Axis> axes = {};
+  std::string model = {};
 };
 
 /// Reads a number in the form in which a paper prints it: "267" (rounded: between 266.5 and 267.5), "< 1" (an

@@ -12,8 +12,8 @@
 #include <random>
 #include <thread>
 
-#include "harness/error.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -37,12 +37,7 @@ Picture picture(int frame) {
 }
 
 std::string refusal(const fs::path& folder, bool resume, const FrameOrigin& from = origin) {
-  try {
-    const FrameFolder opened(folder, from, resume);
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal([&] { FrameFolder(folder, from, resume); }, "");
 }
 
 bool says(const std::string& text, const std::string& part) {

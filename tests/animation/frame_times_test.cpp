@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/error.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -17,13 +17,7 @@ Scene scene_of(const std::string& text) {
 }
 
 std::string frames_refusal(const TimeOptions& options, const std::string& scene = "") {
-  try {
-    const FrameTimes times = frame_times(options, scene_of(scene));
-    check_frames(scene_of(scene), times);
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal([&] { check_frames(scene_of(scene), frame_times(options, scene_of(scene))); }, "");
 }
 
 TEST(FrameTimes, TheLastFrameIsAtTheEnd) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/error.hpp"
 #include "tests/claims/rows.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -15,14 +15,9 @@ using test::file_of;
 /// Reads a file claims.toml that contains `text`. Returns the end of the error message, from the file's name
 /// on. Returns "" if the reader accepts the file.
 std::string message(const std::string& text) {
-  try {
-    file_of(text);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-    return what.substr(what.find("claims.toml"));
-  }
-  return {};
+  const std::string what = pelage::test::refusal([&] { file_of(text); }, "");
+  EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+  return what.empty() ? what : what.substr(what.find("claims.toml"));
 }
 
 TEST(ClaimFiles, HoldEveryKey) {
@@ -129,13 +124,8 @@ relation = { at_most = 1 }
   EXPECT_EQ(file.claims[1].process_spread, 0.2);
   const auto error = [&](const std::string& more) -> std::string {
     write("more.toml", more);
-    try {
-      read_claims(folder.path / "main.toml");
-    } catch (const InputError& e) {
-      const std::string what = e.what();
-      return what.substr(what.rfind('/') + 1);
-    }
-    return "";
+    const std::string what = pelage::test::refusal([&] { read_claims(folder.path / "main.toml"); });
+    return what.substr(what.rfind('/') + 1);
   };
   EXPECT_EQ(error(one), "more.toml:1: two claims have the id one");
   EXPECT_EQ(error("include = []\n" + one), "more.toml:1: unknown key include (known: [[claim]])");

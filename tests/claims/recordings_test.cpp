@@ -140,10 +140,7 @@ std::vector<Plant> plants() {
           {"layers-proportional", holds, times("layers", "64", "frame", 1.24)},
           {"layers-always", fails, times("layers", "16", "frame", 10)},
           {"resolution-sublinear", fails, times("size", "1680x1050", "frame", 5)},
-          {"resolution-triangles", fails,
-           [](Row& row) {
-             if (is(row, "size", "1680x1050")) scale(row, "frame", row.metrics["triangles"].value / 9360);
-           }},
+          {"resolution-triangles", fails, large_by_triangles},
           {"triangles-proportional", holds,
            [](Row& row) { scale(row, "frame", row.metrics["triangles"].value / 9360); }},
           {"real-time", holds, all_times("frame", 0.05)},

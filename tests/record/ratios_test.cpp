@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -19,12 +20,7 @@ Row row_with(int schema, const std::string& phase, const std::string& metric, do
 }
 
 std::string row_refusal(const Row& row) {
-  try {
-    row_from_line(to_line(row));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { row_from_line(to_line(row)); }, "");
 }
 
 TEST(Ratios, OfAnInventedPhaseHaveOneDirection) {
