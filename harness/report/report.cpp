@@ -25,8 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_file(const fs::path& path, const std::string& text) {
+/// Writes a file of the report that the page also contains.
+void write_file(Report& report, const fs::path& path, const std::string& text) {
   write_text_atomically(path, text);
+  report.files.emplace_back(path.filename().string(), text);
 }
 
 void make_folder(const fs::path& folder) {
@@ -42,7 +44,7 @@ bool draw(Report& report, const fs::path& folder, const std::string& program, co
   const fs::path place = folder / "plots";
   std::string problem;
   try {
-    write_file(place / (stem + ".csv"), table);
+    write_text_atomically(place / (stem + ".csv"), table);
     for (const std::string& name : {program, std::string("style")})
       fs::copy_file(plot_program(name), place / (name + ".py"), fs::copy_options::overwrite_existing);
     problem = draw_plot(place / (program + ".py"), place / (stem + ".csv"), place / stem);
@@ -58,11 +60,11 @@ bool draw(Report& report, const fs::path& folder, const std::string& program, co
 
 void write_sections(Report& report, const fs::path& folder) {
   for (const Section& section : report.sections) {
-    write_file(folder / "tables" / (section.table.stem + ".txt"), text_of(section.table));
-    write_file(folder / "tables" / (section.table.stem + ".csv"), csv_of(section.table));
-    write_file(folder / "tables" / (section.table.stem + ".tex"), latex_of(section.table));
+    write_text_atomically(folder / "tables" / (section.table.stem + ".txt"), text_of(section.table));
+    write_file(report, folder / "tables" / (section.table.stem + ".csv"), csv_of(section.table));
+    write_file(report, folder / "tables" / (section.table.stem + ".tex"), latex_of(section.table));
     for (const PlotSpec& plot : section.plots) {
-      write_file(folder / "plots" / (plot.stem + ".json"), json_of(plot));
+      write_text_atomically(folder / "plots" / (plot.stem + ".json"), json_of(plot));
       draw(report, folder, "plot", plot.stem, csv_of(section.table), plot.title);
     }
   }
@@ -73,7 +75,7 @@ void write_sections(Report& report, const fs::path& folder) {
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
-  write_file(folder / "tables" / "layers-ratios.csv", in_turns_csv(cells));
+  write_text_atomically(folder / "tables" / "layers-ratios.csv", in_turns_csv(cells));
   report.scaling += in_turns_text(cells);
 }
 
@@ -83,12 +85,13 @@ void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;
   report.scaling = scaling_text(cells);
+  report.files.emplace_back("scaling.csv", scaling_csv(cells));
   if (draw(report, folder, "scaling", "scaling", scaling_csv(cells),
            "Frame time against layers, pixels and triangles")) {
     std::ifstream fit(folder / "plots/scaling.txt");
     report.scaling += std::string(std::istreambuf_iterator<char>(fit), {});
   }
-  write_file(folder / "tables" / "scaling.txt", report.scaling);
+  write_text_atomically(folder / "tables" / "scaling.txt", report.scaling);
 }
 
 /// Clears Cell::image if the file is not the picture that a row recorded, and adds the file to `left_out`.
@@ -173,7 +176,7 @@ void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::p
   if (report.claims.empty()) return;
   std::string csv;
   for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
-  write_file(folder / "tables" / "claims.csv", csv);
+  write_file(report, folder / "tables" / "claims.csv", csv);
 }
 
 }  // namespace
@@ -219,15 +222,15 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   for (LeftOut& one : without_numbers(report.cells, rows)) left_out.push_back(std::move(one));
   if (!left_out.empty()) report.sections.push_back(left_out_section(left_out));
   write_sections(report, folder);
-  write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
+  write_text_atomically(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_table(rows);
   if (!report.solvers.lines.empty())
-    write_file(folder / "tables" / (report.solvers.stem + ".csv"), csv_of(report.solvers));
+    write_file(report, folder / "tables" / (report.solvers.stem + ".csv"), csv_of(report.solvers));
   judge_claims(report, rows, folder);
   write_scaling(report, folder);
   write_in_turns(report, folder);
-  write_file(folder / "references.bib", bibliography_of(rows));
-  write_file(folder / "provenance.txt", provenance_of(rows));
+  write_file(report, folder / "references.bib", bibliography_of(rows));
+  write_file(report, folder / "provenance.txt", provenance_of(rows));
   return report;
 }
 

@@ -30,6 +30,8 @@ struct Report {
   /// Text about the cost of additional layers, and the text of the fit by plots/scaling.py.
   std::string scaling;
   std::vector<std::string> notes;  ///< warnings, and missing parts of the report with the reasons
+  /// Names and texts of the files that readers can save from the page.
+  std::vector<std::pair<std::string, std::string>> files;
 };
 
 /// Writes one report per set of rows (input_sets()): the first into `folder`, the others into its folders

@@ -6,7 +6,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "tests/support/fake.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {

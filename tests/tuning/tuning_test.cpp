@@ -5,7 +5,7 @@
 
 #include "harness/error.hpp"
 #include "harness/tuning/tuning_search.hpp"
-#include "tests/support/fake.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace pelage {
