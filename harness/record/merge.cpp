@@ -118,26 +118,6 @@ std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   return kept;
 }
 
-/// Divides the rows into groups that are written into the same folder: the rows of a journal, in several
-/// groups if they conflict with each other.
-std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>& rows) {
-  std::vector<fs::path> journals;
-  std::map<fs::path, std::vector<std::pair<Target, std::vector<const FoundRow*>>>> parts;
-  for (const FoundRow& found : rows) {
-    if (!parts.contains(found.journal)) journals.push_back(found.journal);
-    auto& own = parts[found.journal];
-    auto place =
-        std::find_if(own.begin(), own.end(), [&](const auto& part) { return !part.first.conflict(found); });
-    if (place == own.end()) place = own.emplace(own.end());
-    place->first.add(found);
-    place->second.push_back(&found);
-  }
-  std::vector<std::vector<const FoundRow*>> groups;
-  for (const fs::path& journal : journals)
-    for (const auto& [unused, group] : parts.at(journal)) groups.push_back(group);
-  return groups;
-}
-
 }  // namespace
 
 Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
@@ -150,7 +130,7 @@ Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
   merge.replaced = rows.size() - kept.size();
   std::vector<Target> targets;
   std::vector<std::set<std::string>> differs;
-  for (const std::vector<const FoundRow*>& group : groups_of(kept)) {
+  for (const std::vector<const FoundRow*>& group : groups_of<Target>(kept)) {
     std::size_t place = 0;
     std::set<std::string> names;
     for (; place < targets.size(); ++place) {

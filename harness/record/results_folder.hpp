@@ -1,7 +1,10 @@
 // Reads the rows in folders of results, and prevents runs from changing recorded results.
 #pragma once
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/record/row.hpp"
@@ -14,6 +17,28 @@ struct FoundRow {
   std::filesystem::path journal;
   std::vector<std::filesystem::path> copies = {};  ///< other journals that contain the same row
 };
+
+/// Divides the rows into groups that stay together: the rows of a journal, in the order of their first rows,
+/// or several groups of a journal if its rows conflict with each other. A Set of rows has the functions
+/// conflict(row), which returns whether the row conflicts with one of the set, and add(row).
+template <class Set>
+std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>& rows) {
+  std::vector<std::filesystem::path> journals;
+  std::map<std::filesystem::path, std::vector<std::pair<Set, std::vector<const FoundRow*>>>> parts;
+  for (const FoundRow& found : rows) {
+    if (!parts.contains(found.journal)) journals.push_back(found.journal);
+    auto& own = parts[found.journal];
+    auto place =
+        std::find_if(own.begin(), own.end(), [&](const auto& part) { return !part.first.conflict(found); });
+    if (place == own.end()) place = own.emplace(own.end());
+    place->first.add(found);
+    place->second.push_back(&found);
+  }
+  std::vector<std::vector<const FoundRow*>> groups;
+  for (const std::filesystem::path& journal : journals)
+    for (const auto& [unused, group] : parts.at(journal)) groups.push_back(group);
+  return groups;
+}
 
 /// Returns all journals that `places` name: journals (*.jsonl), or folders with journals at any depth, sorted
 /// by path. Throws InputError for a missing path, or a folder without a journal.
