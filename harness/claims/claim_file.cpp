@@ -1,5 +1,3 @@
-#include "harness/claims/claim_file.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,6 +10,7 @@
 #include <set>
 
 #include "harness/base/toml_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "harness/atomic_file.hpp"
-#include "harness/claims/claim_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "harness/claims/print.hpp"
 #include "harness/commands/commands.hpp"
 #include "harness/report/input_sets.hpp"

@@ -20,7 +20,6 @@
 #include "harness/measure/runner.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/prepare/scene_mesh.hpp"
-#include "harness/record/equal_pictures.hpp"
 #include "harness/record/results_folder.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/scene/scene_toml.hpp"

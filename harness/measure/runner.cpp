@@ -11,7 +11,6 @@
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/measure/event_times.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/provenance.hpp"
 #include "harness/measure/statistics.hpp"

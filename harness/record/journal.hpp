@@ -21,6 +21,10 @@
 
 namespace pelage {
 
+/// Flushes the content of a file, or the list of names in a folder, to the disk. A new file in a folder is
+/// durable only after a sync of the folder. Throws InputError.
+void sync(const std::filesystem::path& path);
+
 /// The system calls that a journal uses, which tests replace by functions that fail.
 struct JournalCalls {
   ssize_t (*write)(int, const void*, std::size_t);

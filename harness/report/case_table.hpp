@@ -79,4 +79,17 @@ std::string equal_pictures_remark(const std::vector<Cell>& cells);
 /// so a name that resembles no known column gives no warning.
 std::vector<std::string> view_warnings(const View& view, const std::map<std::string, std::string>& axes);
 
+/// The picture of one case, compared with others because equal pixels usually show that a setting has no
+/// effect, for instance a wetness without droplets.
+struct CasePicture {
+  std::string name;   ///< name of the case in the text that equal_pictures() returns
+  std::string group;  ///< only pictures of one group are compared, for instance those of one variant
+  std::string hash;   ///< hash of the pixels; "" if the case has no picture
+};
+
+/// Returns a sentence that names up to five sets of cases with equal pictures: "Equal pictures: (dry) and
+/// (soaked). The settings in which these cases differ change no pixel."; "" if all differ. Pictures with the
+/// same name count as one.
+std::string equal_pictures(const std::vector<CasePicture>& pictures);
+
 }  // namespace pelage

@@ -1,11 +1,10 @@
-#include "harness/report/left_out.hpp"
-
 #include <fmt/format.h>
 
 #include <map>
 #include <set>
 
 #include "harness/record/shards.hpp"
+#include "harness/report/report.hpp"
 
 namespace pelage {
 namespace {

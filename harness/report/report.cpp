@@ -7,7 +7,7 @@
 #include <set>
 
 #include "harness/atomic_file.hpp"
-#include "harness/claims/claim_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "harness/claims/print.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/measure/cpu_use.hpp"
@@ -15,9 +15,7 @@
 #include "harness/report/case_table.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/input_sets.hpp"
-#include "harness/report/left_out.hpp"
 #include "harness/report/plot.hpp"
-#include "harness/report/scaling.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

@@ -54,4 +54,46 @@ std::string bibliography_of(const std::vector<FoundRow>& rows);
 /// rows, all its values are listed.
 std::string provenance_of(const std::vector<FoundRow>& rows);
 
+// What the other tables of a report leave out: every case is either in a table with its time, or here with
+// the reason.
+
+/// Returns one entry for each run or shard in which some cases have no row. It states only their number,
+/// because the rows do not contain the names of the other cases of their run. `rows` were read from
+/// `journals`.
+std::vector<LeftOut> missing_cases(const std::vector<std::filesystem::path>& journals,
+                                   const std::vector<FoundRow>& rows);
+
+/// Returns one entry for each cell without a time, for each cell without a ratio to the OpenGL baseline if
+/// others of its experiment and variant have one, and for each row whose implausible event times were left
+/// out.
+std::vector<LeftOut> without_numbers(const std::vector<Cell>& cells, const std::vector<FoundRow>& rows);
+
+/// Returns the section "Left out" with this list, which must not be empty.
+Section left_out_section(const std::vector<LeftOut>& list);
+
+// Experiments that vary the numbers of layers, pixels and triangles: time ratios of cases that differ only in
+// their number of layers, and memory. plots/scaling.py fits a model of the frame time to scaling_csv().
+
+/// Returns the cells of all experiments whose file sets report.program = "scaling", without cells that lack a
+/// time, a triangle count, a number of layers or a picture size. If some cells were changed on the command
+/// line, returns only the largest group of cells with equal changes.
+std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
+
+/// Returns CSV with one line per cell, the input of plots/scaling.py.
+std::string scaling_csv(const std::vector<Cell>& cells);
+
+/// Returns text for a terminal: the time ratios, and the largest peak memory of all cases.
+std::string scaling_text(const std::vector<Cell>& cells);
+
+/// Returns the cells with status ok that have the metrics frame_over_half and frame_over_quarter
+/// (harness/subjects/in_turns.hpp).
+std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells);
+
+/// Returns CSV with the two metrics of each cell and their 95% intervals. `cells` is a result of
+/// in_turns_cells().
+std::string in_turns_csv(const std::vector<Cell>& cells);
+
+/// Returns the ratios of in_turns_csv() as text for a terminal, followed by the largest ratios.
+std::string in_turns_text(const std::vector<Cell>& cells);
+
 }  // namespace pelage

@@ -1,5 +1,3 @@
-#include "harness/report/scaling.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include <tuple>
 
 #include "harness/base/numbers.hpp"
-#include "harness/report/sections.hpp"
+#include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

@@ -1,8 +1,7 @@
 // Tests the reader of claim files, and its messages about files with errors.
-#include "harness/claims/claim_file.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/claims/claim.hpp"
 #include "tests/claims/rows.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -11,7 +11,6 @@
 #include <numeric>
 #include <set>
 
-#include "harness/claims/claim_file.hpp"
 #include "harness/claims/judge.hpp"
 #include "harness/measure/statistics.hpp"
 

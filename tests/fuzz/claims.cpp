@@ -1,4 +1,4 @@
-#include "harness/claims/claim_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/fuzz/targets.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "harness/record/identity.hpp"
-#include "harness/report/left_out.hpp"
+#include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
 
 namespace pelage::planted {
