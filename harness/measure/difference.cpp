@@ -100,6 +100,14 @@ Limits limits_of(double threshold) {
   return {threshold < 1 ? std::log1p(-threshold) : -kInfinity, std::log1p(threshold)};
 }
 
+/// Returns the side of the limits on which the estimate is, and its distance from the nearest limit.
+std::pair<Side, double> place_of(const Difference& difference, const Limits& limits) {
+  const double above = difference.log_ratio - limits.high, below = limits.low - difference.log_ratio;
+  if (above > 0) return {Side::above, above};
+  if (below > 0) return {Side::below, below};
+  return {Side::within, std::min(-above, -below)};
+}
+
 }  // namespace
 
 double typical_ms(const Timings& timings) {
@@ -133,9 +141,8 @@ std::vector<Decision> decide(std::span<const Difference> differences, double thr
   decisions.reserve(differences.size());
   sides.reserve(differences.size());
   for (const Difference& d : differences) {
-    const double above = d.log_ratio - limits.high, below = limits.low - d.log_ratio;
-    sides.push_back(above > 0 ? Side::above : below > 0 ? Side::below : Side::within);
-    const double distance = above > 0 ? above : below > 0 ? below : std::min(-above, -below);
+    const auto [side, distance] = place_of(d, limits);
+    sides.push_back(side);
     decisions.push_back({Side::undecided, two_sided(distance / d.error, d.degrees), 0, {}});
   }
   std::vector<std::size_t> order(decisions.size());
@@ -165,9 +172,7 @@ std::size_t processes_needed(const Difference& difference, std::size_t processes
                              double threshold, double alpha, double power) {
   if (difference.assumed) return 0;
   const double share = alpha / double(std::max<std::size_t>(1, count));
-  const Limits limits = limits_of(threshold);
-  const double above = difference.log_ratio - limits.high, below = limits.low - difference.log_ratio;
-  const double distance = above > 0 ? above : below > 0 ? below : std::min(-above, -below);
+  const double distance = place_of(difference, limits_of(threshold)).second;
   const double deviation = difference.error * std::sqrt(double(processes));
   for (std::size_t n = fewest_processes; n <= 1000; ++n) {
     const double errors = t_quantile(1 - share / 2, double(n - 1)) + t_quantile(power, double(n - 1));

@@ -19,12 +19,6 @@ constexpr std::size_t most_groups = 5;
 /// with at most `most_groups` cases per variant.
 constexpr std::size_t fewest_variants = 4;
 
-std::size_t count_of(const Table& table, const std::string& name) {
-  std::set<std::string> values;
-  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, name))].data);
-  return values.size();
-}
-
 /// Returns the columns of the metrics `names`: "metric.NAME" where a column of the table has the name of a
 /// metric.
 std::vector<std::string> metric_columns(const Table& table, std::vector<std::string> names) {
@@ -90,7 +84,8 @@ Section of_cases(std::vector<Cell> cells, const View& view) {
   layout.groups = present(section.table, view.columns);
   layout.values = present(section.table, metric_columns(section.table, view.values));
   const std::vector<std::string> keys = varying_keys(section.table, cells);
-  if (layout.groups.empty() && keys.size() >= 2 && count_of(section.table, keys.back()) <= most_groups &&
+  if (layout.groups.empty() && keys.size() >= 2 &&
+      values_of(section.table, keys.back()).size() <= most_groups &&
       std::find(layout.blocks.begin(), layout.blocks.end(), keys.back()) == layout.blocks.end())
     layout.groups = {keys.back()};
   if (layout.values.empty()) layout.values = {"median_ms"};

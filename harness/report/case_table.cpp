@@ -222,13 +222,16 @@ Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& co
   return table;
 }
 
+std::set<std::string> values_of(const Table& table, const std::string& column) {
+  std::set<std::string> values;
+  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, column))].data);
+  return values;
+}
+
 std::vector<std::string> varying_keys(const Table& table, const std::vector<Cell>& cells) {
   std::vector<std::string> names;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    if (is_key(table.columns[c].name, cells) &&
-        std::any_of(table.lines.begin(), table.lines.end(),
-                    [&](const auto& line) { return line[c].data != table.lines.front()[c].data; }))
-      names.push_back(table.columns[c].name);
+  for (const Column& column : table.columns)
+    if (is_key(column.name, cells) && values_of(table, column.name).size() > 1) names.push_back(column.name);
   return names;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells);
 
 /// Returns a table with one line per cell. Its layout is empty.
 Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns);
+
+/// Returns the values of the column, which must exist.
+std::set<std::string> values_of(const Table& table, const std::string& column);
 
 /// Returns the names of those axes and "variant" that have several values in the table, in the order of the
 /// columns.

@@ -15,12 +15,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::set<std::string> values_of(const Table& table, const std::string& column) {
-  std::set<std::string> values;
-  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, column))].data);
-  return values;
-}
-
 bool is_numeric(const Table& table, const std::string& column) {
   const auto values = values_of(table, column);
   return std::all_of(values.begin(), values.end(),
