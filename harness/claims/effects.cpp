@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "harness/base/median.hpp"
 #include "harness/base/numbers.hpp"
-#include "harness/measure/statistics.hpp"
 
 namespace pelage::claims {
 namespace {

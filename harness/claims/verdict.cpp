@@ -1,7 +1,6 @@
 #include "harness/claims/verdict.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

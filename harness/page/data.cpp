@@ -1,5 +1,4 @@
 // Writes the JSON data that the scripts of the HTML report read.
-#include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <tuple>
 
 #include "harness/base/numbers.hpp"
 #include "harness/experiment/experiment.hpp"

@@ -2,7 +2,6 @@
 // HTML page.
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 

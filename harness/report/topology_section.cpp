@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "harness/report/case_table.hpp"
 #include "harness/report/sections.hpp"

@@ -1,6 +1,5 @@
 #include "harness/subjects/raycast_difference.hpp"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/compare/metrics.hpp"

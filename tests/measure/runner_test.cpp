@@ -9,7 +9,6 @@
 #include <csignal>
 #include <limits>
 #include <random>
-#include <set>
 #include <thread>
 
 #include "harness/error.hpp"

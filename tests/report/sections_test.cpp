@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "harness/report/report.hpp"
 #include "harness/table/pivot.hpp"
