@@ -79,10 +79,10 @@ Metric metric_from(const Json& json) {
   return result;
 }
 
-/// Returns the value as a whole number. Throws InputError if it is not a whole number from 0 to `most`.
-/// Without these tests, Json::get() would convert 2.7 to 2, and would convert a number above the range of int
-/// to a wrong number.
-int whole(const Json& json, int most) {
+/// Returns the value as a whole number of at least 0. Json::get() would convert 2.7 to 2, and a number above
+/// the range of int to a wrong number.
+int whole(const Json& json) {
+  constexpr int most = std::numeric_limits<int>::max();
   if (!json.is_number_integer() || json.get<double>() < 0 || json.get<double>() > most)
     throw InputError(fmt::format("the row contains {} in place of a whole number of 0 to {}",
                                  json.dump().substr(0, 40), most));
@@ -116,7 +116,7 @@ Json parsed(const std::string& text) {
 }
 
 Row row_from_json(const Json& json) {
-  const int schema = whole(json.at("schema"), std::numeric_limits<int>::max());
+  const int schema = whole(json.at("schema"));
   if (schema < 1 || schema > kRowSchema)
     throw NewerSchema(fmt::format("the row has schema {}; this version of pelage reads schemas 1 to {}",
                                   schema, kRowSchema));
@@ -130,7 +130,7 @@ Row row_from_json(const Json& json) {
   row.overrides = strings(json.at("overrides"));
   json.at("device").get_to(row.device);
   if (schema > 1) json.at("identity").get_to(row.identity);
-  row.repeat = whole(json.at("repeat"), std::numeric_limits<int>::max());
+  row.repeat = whole(json.at("repeat"));
   const auto status = status_from_text(json.at("status").get<std::string>());
   if (!status) throw InputError(fmt::format("unknown status '{}'", json.at("status").get<std::string>()));
   row.status = *status;
@@ -145,8 +145,7 @@ Row row_from_json(const Json& json) {
   for (const auto& [name, metric] : json.at("metrics").items()) row.metrics[name] = metric_from(metric);
   json.at("build_ms").get_to(row.build_ms);
   json.at("first_launch_ms").get_to(row.first_launch_ms);
-  for (const auto& [axis, value] : json.at("tuning").items())
-    row.tuning[axis] = whole(value, std::numeric_limits<int>::max());
+  for (const auto& [axis, value] : json.at("tuning").items()) row.tuning[axis] = whole(value);
   json.at("image_hash").get_to(row.image_hash);
   row.provenance = json.at("provenance");
   check_provenance(row.provenance);

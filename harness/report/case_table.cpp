@@ -52,8 +52,8 @@ Column axis_column(const std::string& axis) {
 
 /// Returns a column with a time or a frame rate. With `starred`, it adds marks_of() to the times, and shows
 /// the status of cells without a time; without, it shows "-" for these cells.
-CellColumn time_column(const std::string& name, const std::string& heading, double (*number)(const Cell&),
-                       bool starred) {
+CellColumn time_column(const std::string& name, const std::string& heading, bool starred,
+                       double (*number)(const Cell&)) {
   return {{name, heading}, [=](const Cell& c) {
             if (!timed(c)) {
               const auto status = std::string(to_text(c.status == Status::ok ? Status::error : c.status));
@@ -175,34 +175,28 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   text("host", [](const Cell& c) { return c.host; });
   text("changed", [](const Cell& c) { return changes_of(c); });
   text("status", [](const Cell& c) { return std::string(to_text(c.status)); });
-  columns.push_back(time_column(
-      "fps", "fps", [](const Cell& c) { return c.fps(); }, true));
-  columns.push_back(time_column(
-      "fps_low", "low", [](const Cell& c) { return 1000 / c.interval_ms.high; }, false));
-  columns.push_back(time_column(
-      "fps_high", "high", [](const Cell& c) { return 1000 / c.interval_ms.low; }, false));
-  columns.push_back(time_column(
-      "median_ms", "frame, ms", [](const Cell& c) { return c.median_ms; }, true));
-  columns.push_back(time_column(
-      "median_ms_low", "low", [](const Cell& c) { return c.interval_ms.low; }, false));
-  columns.push_back(time_column(
-      "median_ms_high", "high", [](const Cell& c) { return c.interval_ms.high; }, false));
+  const auto time = [&](const char* name, const char* heading, bool starred, double (*of)(const Cell&)) {
+    columns.push_back(time_column(name, heading, starred, of));
+  };
+  time("fps", "fps", true, [](const Cell& c) { return c.fps(); });
+  time("fps_low", "low", false, [](const Cell& c) { return 1000 / c.interval_ms.high; });
+  time("fps_high", "high", false, [](const Cell& c) { return 1000 / c.interval_ms.low; });
+  time("median_ms", "frame, ms", true, [](const Cell& c) { return c.median_ms; });
+  time("median_ms_low", "low", false, [](const Cell& c) { return c.interval_ms.low; });
+  time("median_ms_high", "high", false, [](const Cell& c) { return c.interval_ms.high; });
   columns.push_back({{"cpu_ms", "CPU time, ms"},
                      [](const Cell& c) { return number_value(timed(c) ? c.cpu_ms : std::nullopt); }});
-  columns.push_back({{"samples", "samples"}, [](const Cell& c) {
-                       std::size_t count = 0;
-                       for (const auto& process : c.timings.processes) count += process.size();
-                       return text_value(std::to_string(count));
-                     }});
-  columns.push_back({{"processes", "processes"},
-                     [](const Cell& c) { return text_value(std::to_string(c.timings.processes.size())); }});
-  columns.push_back({{"converged", "converged"},
-                     [](const Cell& c) { return text_value(timed(c) && c.converged ? "1" : "0"); }});
+  text("samples", [](const Cell& c) {
+    std::size_t count = 0;
+    for (const auto& process : c.timings.processes) count += process.size();
+    return std::to_string(count);
+  });
+  text("processes", [](const Cell& c) { return std::to_string(c.timings.processes.size()); });
+  text("converged", [](const Cell& c) { return std::string(timed(c) && c.converged ? "1" : "0"); });
   columns.push_back({{"drift", "drift"}, [](const Cell& c) {
                        return number_value(timed(c) ? std::optional(c.drift) : std::nullopt);
                      }});
-  columns.push_back(
-      {{"contended", "contended"}, [](const Cell& c) { return text_value(c.contended ? "1" : "0"); }});
+  text("contended", [](const Cell& c) { return std::string(c.contended ? "1" : "0"); });
   add_phases(columns, cells);
   add_metrics(columns, cells);
   return columns;
