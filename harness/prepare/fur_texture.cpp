@@ -11,9 +11,13 @@ namespace {
 constexpr int fine = 4;               // number of sub-samples per texel and axis
 constexpr double shade_unit = 127.5;  // a texel stores the shade times this number, rounded
 // Painter computes the coverage c of a texel for fur of 16 layers (reference_layers). If the fur has another
-// number of layers, N = fur.layers, the texel stores the coverage 1 - (1 - c)^(reference_layers / N). The N
+// number of layers, N = fur.layers, the coverage of a layer is 1 - (1 - c)^(reference_layers / N). The N
 // layers together are then as opaque as 16 layers with the coverage c.
 constexpr double reference_layers = 16;
+
+bool corrects_fragments(const FurScene& fur) {
+  return fur.layer_correction == "fragment";
+}
 
 /// One slice of the texture during its generation; coverage is 0..1.
 struct Slice {
@@ -184,6 +188,10 @@ void store(const Slice& slice, std::vector<std::array<std::uint8_t, 2>>& texels)
 
 }  // namespace
 
+double coverage_power(const FurScene& fur) {
+  return corrects_fragments(fur) ? reference_layers / fur.layers : 1.0;
+}
+
 FurTexture make_fur_texture(const FurScene& fur) {
   FurTexture texture;
   texture.size = fur.texture;
@@ -197,7 +205,7 @@ FurTexture make_fur_texture(const FurScene& fur) {
   }
 
   const auto strands = grow_strands(fur);
-  const double power = reference_layers / fur.layers;
+  const double power = corrects_fragments(fur) ? 1.0 : reference_layers / fur.layers;
   for (int n = 0; n < fur.layers; ++n) {
     Slice slice = cut(strands, fur, n);
     spread_shade(slice);

@@ -11,9 +11,14 @@ namespace pelage {
 /// the fur. The same parameters give the same bytes on every machine.
 ///
 /// Let a be the greatest coverage of a texel by a single strand, computed from 16 sub-samples. The texel
-/// stores the coverage 1 - (1-a)^(16/N), so that the opacity along a ray does not depend on N. The shade of a
+/// stores the coverage 1 - (1-a)^p with p = 16/N, so that the opacity along a ray hardly depends on N. If
+/// `fur.layer_correction` is "fragment", the texel stores a, and coverage_power() is p. The shade of a
 /// hair is a random value between 1 - `fur.shade` and 1 + `fur.shade`. Empty texels have the shade of
 /// neighbouring strands, so that bilinear interpolation at the edge of a strand keeps the strand's shade.
 FurTexture make_fur_texture(const FurScene& fur);
+
+/// Returns the exponent p by which a coverage c from the texture is corrected after the lookup: it becomes
+/// 1 - (1-c)^p. p is 1 if the texels are corrected.
+double coverage_power(const FurScene& fur);
 
 }  // namespace pelage

@@ -60,6 +60,9 @@ struct FurScene {
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
   float density = 1.0f;    ///< factor of the fur's coverage, 0..1
+  /// Where the coverage is corrected for the number of layers: "texel" (before it is stored and filtered) |
+  /// "fragment" (after the lookup).
+  std::string layer_correction = "texel";
   /// Maps of the fur's shape (docs/shells.md, section 8): pictures in UV space whose luma multiplies
   /// `length`, `density` and `comb` at each point of the surface. Empty: a map that is 1 everywhere.
   std::filesystem::path length_map, density_map, comb_map;

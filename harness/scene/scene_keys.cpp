@@ -137,6 +137,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.lod_bias", &fur.lod_bias, "mip levels", -16, 16, "value added to the mip level of the fur texture lookup"},
       {.name = "fur.substeps", .slot = &fur.substeps, .unit = "", .least = 1, .most = 8, .help = "number of samples of the fur texture per fragment along the view ray within a layer; with few layers, more samples make curls smooth; 1: as in S and W", .power_of_two = true},
       {"fur.density", &fur.density, "", 0, 1, "factor of the fur's coverage: 0 is no fur, 1 is all fur"},
+      {.name = "fur.layer_correction", .slot = &fur.layer_correction, .unit = "", .help = "where the coverage is corrected for a number of layers other than 16: in each \"texel\" before filtering; or in each \"fragment\" after the lookup, so that pictures converge as the number of layers grows", .choices = {"texel", "fragment"}},
       {.name = "fur.length_map", .slot = &fur.length_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.length (docs/shells.md, section 8); \"\": no map"},
       {.name = "fur.density_map", .slot = &fur.density_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.density; \"\": no map"},
       {.name = "fur.comb_map", .slot = &fur.comb_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.comb; \"\": no map"},

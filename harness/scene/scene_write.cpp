@@ -238,9 +238,14 @@ std::vector<std::pair<std::string, std::string>> changed_keys(const Scene& scene
 std::string scene_hash(const Scene& scene) {
   Scene values = scene;
   std::string all;
+  // Rows that were recorded before these keys existed have the default values. Their hashes stay valid,
+  // because a default value is not hashed.
+  const auto is_hashed = [](const Key& key) {
+    return key.name != "pipeline" && (key.name != "fur.layer_correction" || value_text(key) != "\"texel\"");
+  };
   const auto add = [&](const std::vector<Key>& keys, std::string_view prefix) {
     for (const Key& key : keys)
-      if (key.name != "pipeline") all += fmt::format("{}{}={}\n", prefix, key.name, hashed_value(key));
+      if (is_hashed(key)) all += fmt::format("{}{}={}\n", prefix, key.name, hashed_value(key));
   };
   add(scene_keys(values), "");
   for (const KeyList& list : scene_lists(values))

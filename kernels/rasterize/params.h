@@ -57,6 +57,7 @@ typedef struct {
   int turn_points;                            // one float per vertex: the number of its factor
   int turn_angles;                            // for each layer and factor: cosine and sine of the curl's angle
   float density;                              // fur.density
+  float coverage_power;                       // fur.layer_correction: 16 / layers, or 1
   int density_width, density_height, density_map;
   // Textures.
   int fur_size, fur_levels;

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "harness/error.hpp"
+#include "tests/support/refusal.hpp"
 
 using namespace pelage;
 namespace fs = std::filesystem;

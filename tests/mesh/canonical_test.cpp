@@ -125,7 +125,7 @@ TEST(Canonical, AFileGivesTheSameMeshInEveryOrder) {
     const auto expected = load_model(file, fresh({}, keep_uv));
     for (const unsigned seed : {1u, 2u, 3u}) {
       folder.write("other.obj", obj(permuted(soup, seed, !keep_uv)));
-      const auto found = load_model((folder.path() / "other.obj").string(), fresh({}, keep_uv));
+      const auto found = load_model((folder.path / "other.obj").string(), fresh({}, keep_uv));
       EXPECT_EQ(found->hash, expected->hash) << "seed " << seed << (keep_uv ? ", UV map of the file" : "");
     }
   }

@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "harness/base/numbers.hpp"
 #include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 

@@ -1,5 +1,6 @@
 #include "harness/shells/opencl/program_texts.hpp"
 
+#include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/opencl/mapping.hpp"
 
 namespace pelage::shells {
@@ -12,6 +13,7 @@ std::string style_options(const Scene& scene) {
     options += " -D DENSITY=2";
   else if (scene.fur.density < 1)
     options += " -D DENSITY=1";
+  if (coverage_power(scene.fur) != 1) options += " -D COVERAGE_POWER=1";
   if (has_contact(scene.contact)) options += " -D CONTACT=1";
   if (by_depth(scene.blend)) options += " -D DEPTH_ORDER=1";
   return options;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/opencl/params.hpp"
 
 namespace pelage::shells {
@@ -45,6 +46,7 @@ void place_maps(const FrameInput& input, const Geometry& geometry, RasterParams&
     end = params.turn_angles + 2 * params.turn_levels * params.layers;
   }
   params.density = input.scene.fur.density;
+  params.coverage_power = float(coverage_power(input.scene.fur));
   params.density_width = input.style.density.width;
   params.density_height = input.style.density.height;
   params.density_map = end;

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "harness/prepare/fur_texture.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/contact.hpp"
 #include "harness/shells/opengl/program.hpp"
@@ -66,6 +67,7 @@ std::vector<Constant> scene_constants(const FrameInput& input) {
       {"FILM_HEIGHT", {scene.soaked.height}},
       {"FILM_GLOSS", {scene.soaked.gloss}},
       {"DENSITY", {scene.fur.density}},
+      {"COVERAGE_POWER", {float(coverage_power(scene.fur))}},
       {"SKIN_COLOUR", list(scene.coat.skin)},
       {"SPECULAR", list(shading.specular)},
       {"EXPONENT", {shading.exponent}},
@@ -103,6 +105,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(scene.curl.radius > 0.0f && !input.style.curl_turns.empty(), "TURNS_MAP");
   define(scene.fur.density < 1.0f || !input.style.density.value.empty(), "THINNED");
   define(!input.style.density.value.empty(), "DENSITY_MAP");
+  define(coverage_power(scene.fur) != 1, "FRAGMENT_CORRECTION");
   define(wet, "CLUMPS");
   define(true, fmt::format("CLUMP_READING CLUMP_{}", upper_case(scene.clump.scale)));
   define(true, fmt::format("TANGENT_READING TANGENT_{}", upper_case(scene.shading.tangent)));

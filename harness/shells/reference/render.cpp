@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "harness/parallel.hpp"
+#include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/input_check.hpp"
 #include "harness/shells/reference/layers.hpp"
@@ -213,7 +214,8 @@ class Painter {
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {
-      return sample_fur(input_.fur, uv * glm::dvec2(input_.fur_scale), layer_, level);
+      return sample_fur(input_.fur, uv * glm::dvec2(input_.fur_scale), layer_, level,
+                        coverage_power(input_.scene.fur));
     };
     const int count = input_.scene.fur.substeps;
     if (count == 1) return sampled(where + clump.d);

@@ -35,13 +35,14 @@ glm::dvec2 fur_level(const FurTexture& fur, const glm::dvec2& uv, int layer, std
 
 }  // namespace
 
-FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level) {
+FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level, double power) {
   const double last = double(fur.level.size()) - 1.0;
   const double clamped = std::clamp(level, 0.0, last), lower = std::floor(clamped);
   const glm::dvec2 near = fur_level(fur, uv, layer, std::size_t(lower));
   const glm::dvec2 far = fur_level(fur, uv, layer, std::size_t(std::min(lower + 1.0, last)));
   const glm::dvec2 bytes = near + (clamped - lower) * (far - near);
-  return {bytes.x / 255.0, bytes.y / 127.5};
+  const double coverage = bytes.x / 255.0;
+  return {power == 1.0 ? coverage : 1.0 - std::pow(1.0 - coverage, power), bytes.y / 127.5};
 }
 
 double sample_density(const Style::Density& map, const glm::dvec2& uv) {

@@ -15,8 +15,8 @@ struct FurSample {
 
 /// Samples slice `layer` of the fur at `uv`. The texture has the period 1 in u and v. Filtering is bilinear
 /// within a mip level, and linear between the two mip levels around `level`. `level` is clamped to the
-/// existing mip levels.
-FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level);
+/// existing mip levels. The coverage c becomes 1 - (1 - c)^power.
+FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level, double power);
 
 /// Returns the value of a map at uv by bilinear filtering between pixel centres. Outside the unit square, the
 /// value is that of the nearest point of the square. Returns 1 if there is no map.

@@ -73,6 +73,7 @@ TEST_P(SubstepCounts, CombedFurToo) {
 TEST_P(SubstepCounts, OtherReadingsToo) {
   FrameInput input = *small_frame("wet", "separate");
   input.scene.fur.layer_spacing = "uniform";
+  input.scene.fur.layer_correction = "fragment";
   input.scene.clump.scale = "literal";
   input.scene.clump.cells = "literal";
   expect_same(input, GetParam());

@@ -71,6 +71,7 @@ TEST_P(Mappings, OtherReadings) {
   // other than the defaults.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
+  input.scene.fur.layer_correction = "fragment";
   input.scene.clump.scale = "literal";
   input.scene.clump.cells = "literal";
   input.scene.wetness.blend = "near";

@@ -72,6 +72,7 @@ TEST(OpenGlPicture, OtherReadings) {
   // these keys to values other than the defaults.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
+  input.scene.fur.layer_correction = "fragment";
   input.scene.clump.scale = "literal";
   input.scene.clump.cells = "literal";
   input.scene.wetness.blend = "near";

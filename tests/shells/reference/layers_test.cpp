@@ -7,6 +7,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
+#include "harness/shells/reference/reference.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
@@ -143,6 +146,36 @@ TEST(ReferenceLayers, ChordsAddUpToTheTip) {
     }
     EXPECT_LT(distance(sum, b), 1e-15);
   }
+}
+
+/// Returns the root mean square of the difference between the pictures with N and with 2N layers.
+double change_with_layers(int layers, const std::string& correction) {
+  Scene scene;
+  scene.model = "square";
+  scene.image = {.width = 64, .height = 48};
+  scene.fur.texture = 64;
+  scene.fur.layer_correction = correction;
+  const auto mesh = load_scene_mesh(scene, {});
+  const auto drawn = [&](int count) {
+    scene.fur.layers = count;
+    return render(*prepare(scene, mesh), {});
+  };
+  const Picture few = drawn(layers), many = drawn(2 * layers);
+  double sum = 0;
+  for (std::size_t i = 0; i < few.pixel.size(); ++i) {
+    const glm::dvec4 d = glm::dvec4(few.pixel[i]) - glm::dvec4(many.pixel[i]);
+    sum += glm::dot(d, d);
+  }
+  return std::sqrt(sum / double(few.pixel.size()));
+}
+
+// If the pictures converge with first order, twice as many layers halve the change.
+TEST(ReferenceLayers, PicturesConvergeOnlyIfFragmentsAreCorrected) {
+  const double at_32 = change_with_layers(32, "fragment"), at_64 = change_with_layers(64, "fragment"),
+               at_128 = change_with_layers(128, "fragment");
+  EXPECT_LT(at_64, 0.7 * at_32);
+  EXPECT_LT(at_128, 0.7 * at_64);
+  EXPECT_GT(change_with_layers(128, "texel"), 0.7 * change_with_layers(64, "texel"));
 }
 
 }  // namespace

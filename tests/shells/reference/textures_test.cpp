@@ -17,26 +17,37 @@ FurTexture two_levels() {
 
 TEST(ReferenceTextures, TexelCentresReturnTheirTexel) {
   const FurTexture fur = two_levels();
-  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0).coverage, 1, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0).shade, 102 / 127.5, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {.25, .75}, 0, 0).coverage, 51 / 255.0, 1e-12);  // rows increase with v
-  EXPECT_NEAR(sample_fur(fur, {.75, .75}, 1, 0).coverage, 4 / 255.0, 1e-12);   // no filtering between slices
-  EXPECT_NEAR(sample_fur(fur, {3.75, -1.75}, 0, 0).coverage, 1, 1e-12);        // the texture repeats
+  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0, 1).coverage, 1, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0, 1).shade, 102 / 127.5, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.25, .75}, 0, 0, 1).coverage, 51 / 255.0, 1e-12);  // rows increase with v
+  EXPECT_NEAR(sample_fur(fur, {.75, .75}, 1, 0, 1).coverage, 4 / 255.0,
+              1e-12);                                                       // no filtering between slices
+  EXPECT_NEAR(sample_fur(fur, {3.75, -1.75}, 0, 0, 1).coverage, 1, 1e-12);  // the texture repeats
 }
 
 TEST(ReferenceTextures, BetweenThemTheyAreBilinearAcrossTheBorderToo) {
   const FurTexture fur = two_levels();
-  EXPECT_NEAR(sample_fur(fur, {.5, .5}, 0, 0).coverage, (0 + 255 + 51 + 102) / 4.0 / 255.0, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {0, .25}, 0, 0).coverage, .5, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {.375, .25}, 0, 0).coverage, .25, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.5, .5}, 0, 0, 1).coverage, (0 + 255 + 51 + 102) / 4.0 / 255.0, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {0, .25}, 0, 0, 1).coverage, .5, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.375, .25}, 0, 0, 1).coverage, .25, 1e-12);
 }
 
 TEST(ReferenceTextures, LevelsBlendLinearlyAndAreClamped) {
   const FurTexture fur = two_levels();
-  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 1).coverage, 100 / 255.0, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, .25).coverage, (.75 * 255 + .25 * 100) / 255, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, -3).coverage, 1, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 1, 9).coverage, 200 / 255.0, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 1, 1).coverage, 100 / 255.0, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, .25, 1).coverage, (.75 * 255 + .25 * 100) / 255, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, -3, 1).coverage, 1, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.75, .25}, 1, 9, 1).coverage, 200 / 255.0, 1e-12);
+}
+
+// Two layers of the corrected coverage are as opaque as one layer of the coverage.
+TEST(ReferenceTextures, CoverageIsCorrectedAfterTheLookup) {
+  const FurTexture fur = two_levels();
+  const FurSample whole = sample_fur(fur, {.375, .25}, 0, 0, 1),
+                  half = sample_fur(fur, {.375, .25}, 0, 0, .5);
+  EXPECT_NEAR((1 - half.coverage) * (1 - half.coverage), 1 - whole.coverage, 1e-12);
+  EXPECT_EQ(half.shade, whole.shade);
+  EXPECT_EQ(sample_fur(fur, {.75, .25}, 0, 0, .5).coverage, 1);
 }
 
 TEST(ReferenceTextures, TheCoatIsBilinear) {

@@ -30,7 +30,7 @@ TEST(BaselineStep, SolvesTheSystemOfFiniteDifferences) {
     }
     const auto rivals = solver_rivals(topology, d);
     EXPECT_GE(rivals.size(), 2u) << kind;
-    for (const auto& [name, rival] : rivals) {
+    for (const auto& [name, rival, threads] : rivals) {
       rival->set(start);
       rival->advance(moments(d, 0, 1), 1);
       const auto speeds = rival->state().speed;

@@ -55,7 +55,7 @@ TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
 
       const auto rivals = solver_rivals(topology, dynamics);
       EXPECT_GE(rivals.size(), 2u);
-      for (const auto& [name, rival] : rivals) {
+      for (const auto& [name, rival, threads] : rivals) {
         rival->set(start);
         for (int done = 0; done < steps; done += 40) {
           const int count = std::min(40, steps - done);

@@ -310,7 +310,7 @@ TEST(TopologyDevice, RefusesAbsurdDynamics) {
   const auto refused = [&](const char* what, const auto& spoil) {
     Dynamics d = lively(Solver::rk4);
     spoil(d);
-    const std::string text = test::refusal([&] { MassSprings springs(queue(), topology, d); });
+    const std::string text = pelage::test::refusal([&] { MassSprings springs(queue(), topology, d); });
     EXPECT_NE(text.find(what), std::string::npos) << text;
     EXPECT_EQ(text.find('\n'), std::string::npos) << text;
   };

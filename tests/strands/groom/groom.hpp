@@ -89,7 +89,7 @@ inline std::string difference(const Fur& a, const Fur& b) {
 
 /// Returns the error text of grow().
 inline std::string refusal(const Mesh& mesh, const StrandsScene& scene) {
-  return test::refusal([&] { grow(mesh, scene, plain_coat()); }, "no error");
+  return pelage::test::refusal([&] { grow(mesh, scene, plain_coat()); }, "no error");
 }
 
 }  // namespace pelage::strands::test

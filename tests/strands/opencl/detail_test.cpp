@@ -43,12 +43,6 @@ Picture picture_of(Drawer& drawer) {
   return drawer.read(test::queue());
 }
 
-double mean_coverage(const Picture& picture) {
-  double sum = 0;
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
-  return sum / double(picture.pixel.size());
-}
-
 TEST(StrandDetail, TheWidthsOfThePrefixReplaceThoseOfAllStrands) {
   for (const float fraction : {1e-6f, 0.013f, 0.1f, 0.5f, 0.9f, 0.99f, 0.999f, 1.0f}) {
     constexpr std::size_t count = 10000;
@@ -159,9 +153,9 @@ TEST(StrandDetail, CoverageIsKept) {
   for (const auto& [fraction, distance] :
        {std::pair(0.5f, 5.0f), std::pair(0.25f, 7.0f), std::pair(0.1f, 12.0f)}) {
     drawer.set_view(view_of(1, {0, 0, distance}));
-    const double all = mean_coverage(picture_of(drawer));
+    const double all = test::mean_coverage(picture_of(drawer));
     drawer.set_view(view_of(fraction, {0, 0, distance}));
-    EXPECT_NEAR(mean_coverage(picture_of(drawer)), all, 0.01 * all) << fraction;
+    EXPECT_NEAR(test::mean_coverage(picture_of(drawer)), all, 0.01 * all) << fraction;
   }
 }
 

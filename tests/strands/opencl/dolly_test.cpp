@@ -1,7 +1,7 @@
-// Tests the limits of docs/level-of-detail.md: strands that appear and vanish must not flicker, and a part of
-// the strands has the mean coverage of all strands. The camera moves away from a model in 120 frames, from
-// the distance at which the mean width of all strands is `least` pixels to ten times this distance, so that
-// the drawn part of the strands falls from 100% to 10%.
+// Tests the limits of docs/strands.md (Level of detail): strands that appear and vanish must not flicker, and
+// a part of the strands has the mean coverage of all strands. The camera moves away from a model in 120
+// frames, from the distance at which the mean width of all strands is `least` pixels to ten times this
+// distance, so that the drawn part of the strands falls from 100% to 10%.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,12 +31,6 @@ Picture averaged(const Picture& fine) {
       picture.pixel[std::size_t(y / finer * picture.width + x / finer)] +=
           fine.pixel[std::size_t(y * fine.width + x)] / float(finer * finer);
   return picture;
-}
-
-double mean_coverage(const Picture& picture) {
-  double sum = 0;
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
-  return sum / double(picture.pixel.size());
 }
 
 /// Pictures of a model with 100,000 strands at several distances. The distance 1 is that from which the
@@ -118,15 +112,15 @@ TEST_P(Dolly, HardlyPopsAndKeepsItsCoverage) {
   scene.model = GetParam();
   StrandLayerScene& layer = scene.strands.layers.front();
   layer.count = 100000;
-  const auto mesh = load_scene_mesh(scene);
+  const auto mesh = load_scene_mesh(scene, {});
   const Fur fur = grow(*mesh, scene.strands, prepare(scene, mesh)->coat);
   const float reach = 1 + layer.length * (1 + layer.length_spread);
   Views views(*mesh, fur, reach, 1), fine(*mesh, fur, reach, finer);
   const double nearest = views.distance_of_width(least);
   for (const float fraction : {0.5f, 0.25f, 0.1f})
     for (const double distance : {1.0, nearest / double(fraction)}) {
-      const double all = mean_coverage(views.draw(distance, 1));
-      EXPECT_NEAR(mean_coverage(views.draw(distance, fraction)), all, 0.01 * all) << fraction;
+      const double all = test::mean_coverage(views.draw(distance, 1));
+      EXPECT_NEAR(test::mean_coverage(views.draw(distance, fraction)), all, 0.01 * all) << fraction;
     }
   Popping part, all;
   for (int t = 0; t < frames; ++t) {

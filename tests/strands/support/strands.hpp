@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/cl/program.hpp"
+#include "harness/picture/picture.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/strands/chain/chain.hpp"
 
@@ -15,6 +16,12 @@ namespace pelage::strands::test {
 inline const cl::Queue& queue() {
   static const cl::Queue shared(cl::choose_device(""));
   return shared;
+}
+
+inline double mean_coverage(const Picture& picture) {
+  double sum = 0;
+  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
+  return sum / double(picture.pixel.size());
 }
 
 /// Returns strands on a unit sphere. The stiffness of the strands varies over two decades, and their rest
