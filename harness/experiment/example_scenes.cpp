@@ -14,6 +14,8 @@ namespace pelage {
 
 namespace fs = std::filesystem;
 
+namespace {
+
 fs::path example_scene(const std::string& name) {
   const fs::path folder = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR).back() / "examples";
   std::vector<std::string> known;
@@ -28,6 +30,8 @@ fs::path example_scene(const std::string& name) {
   throw InputError(fmt::format("{}: there is no such scene file, and no such example in {}/ (examples: {})",
                                name, folder.string(), fmt::join(known, ", ")));
 }
+
+}  // namespace
 
 fs::path file_or_example(const fs::path& folder, const std::string& name) {
   const fs::path file = (folder / name).lexically_normal();

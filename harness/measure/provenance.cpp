@@ -89,15 +89,6 @@ std::string host_name() {
   return text.substr(0, text.find('.'));
 }
 
-std::string cpu_model() {
-  const std::vector<std::string> names = cpu_values("model name");
-  return names.empty() ? std::string{} : names.front();
-}
-
-std::string governor() {
-  return first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
-}
-
 std::string file_name_of(const std::string& text) {
   std::string result = text;
   for (char& c : result)
@@ -123,9 +114,10 @@ nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, boo
   utsname system{};
   if (uname(&system) == 0) json["os_kernel"] = std::string(system.sysname) + " " + system.release;
   json["os"] = os_name();
-  json["cpu"] = cpu_model();
+  const std::vector<std::string> cpus = cpu_values("model name");
+  json["cpu"] = cpus.empty() ? "" : cpus.front();
   json["cpus"] = sysconf(_SC_NPROCESSORS_ONLN);
-  json["governor"] = governor();
+  json["governor"] = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   return json;
 }
 

@@ -16,8 +16,6 @@ double load_average();    ///< number of runnable processes, averaged over the l
 double unix_time();       ///< current time in seconds since 1970, including fractions of a second
 double cpu_mhz();  ///< mean of the current frequencies of all CPUs in MHz, from /proc/cpuinfo; -1 if unknown
 std::string host_name();  ///< host name up to the first dot
-std::string cpu_model();  ///< model name in /proc/cpuinfo; "" if it cannot be read
-std::string governor();   ///< frequency governor of the first CPU; "" if it cannot be read
 
 /// Returns `text` as a part of a file name: '_' for all characters except letters, digits, '.', '_' and '-'.
 std::string file_name_of(const std::string& text);

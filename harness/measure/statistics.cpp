@@ -130,8 +130,7 @@ Metric median_ratio(std::span<const double> a, std::span<const double> b) {
 bool is_precise(const Row& row) {
   const std::vector<double> times = frame_ms(row);
   const double asked = row.provenance.value("precision", 1.0);
-  return has_median_interval(times.size()) &&
-         relative_half_width(times) <= (asked < 1 ? asked : usual_precision);
+  return has_median_interval(times.size()) && relative_half_width(times) <= (asked < 1 ? asked : 0.02);
 }
 
 }  // namespace pelage

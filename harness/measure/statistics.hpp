@@ -64,13 +64,10 @@ Metric median_metric(std::span<const double> values, const std::string& unit);
 /// Returns the median_metric() of the ratios a[i] / b[i] of all rounds i.
 Metric median_ratio(std::span<const double> a, std::span<const double> b);
 
-/// The required precision if the experiment does not state one: half the width of the median's 95% interval,
-/// as a fraction of the median.
-inline constexpr double usual_precision = 0.02;
-
-/// Returns whether the median of the row's frame times has the precision that the experiment required
-/// (provenance.precision), or usual_precision if the row lacks this field or its value is 1 or more. The
-/// field provenance.converged is ignored, because older versions set it to true in the latter case.
+/// Returns whether half the width of the 95% interval of the row's frame times, as a fraction of their
+/// median, is at most the precision that the experiment required (provenance.precision), or 0.02 if the row
+/// lacks this field or its value is 1 or more. The field provenance.converged is ignored, because older
+/// versions set it to true in the latter case.
 bool is_precise(const Row& row);
 
 }  // namespace pelage

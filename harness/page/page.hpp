@@ -13,7 +13,6 @@ namespace pelage {
 struct PagePicture {
   int report = 0, cell = 0;   ///< index of the report; index of the cell in this report
   int width = 0, height = 0;  ///< size of the picture in the page, in pixels
-  int full_width = 0;         ///< width of the timed frame, in pixels
   std::string webp;           ///< the compressed picture (WebP)
 };
 

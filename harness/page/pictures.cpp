@@ -44,9 +44,8 @@ std::vector<PagePicture> pictures_of(std::vector<Source>& sources, int width, in
   std::vector<PagePicture> pictures;
   std::erase_if(sources, [&](const Source& source) {
     try {
-      const Picture full = read_picture(source.file), small = reduced(full, width);
-      pictures.push_back(
-          {source.report, source.cell, small.width, small.height, full.width, webp_of(small, quality)});
+      const Picture small = reduced(read_picture(source.file), width);
+      pictures.push_back({source.report, source.cell, small.width, small.height, webp_of(small, quality)});
       return false;
     } catch (const InputError& error) {
       notes.push_back(fmt::format("a picture is missing from the page: {}", error.what()));

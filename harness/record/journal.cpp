@@ -180,8 +180,4 @@ JournalContents read_contents(const fs::path& file) {
   return parse(file, read_text(file)).journal;
 }
 
-std::vector<Row> read_journal(const fs::path& file) {
-  return read_contents(file).rows;
-}
-
 }  // namespace pelage

@@ -73,17 +73,15 @@ class Journal {
   std::set<std::string> keys_;  // keys of the rows whose status is not error
 };
 
-/// Reads the rows of a journal, even while another process writes it: takes no lock, and ignores a last line
-/// that is not yet complete. Throws InputError for a damaged line.
-std::vector<Row> read_journal(const std::filesystem::path& file);
-
 /// The rows of a journal, and the parts of the file that contribute no row.
 struct JournalContents {
-  std::vector<Row> rows;      ///< as read_journal() returns them
-  std::vector<Row> replaced;  ///< rows with the status error; later rows of this journal replace them
+  std::vector<Row> rows;      ///< without rows with the status error that later rows of this journal replace
+  std::vector<Row> replaced;  ///< those rows
   std::size_t torn = 0;       ///< length of the last line in bytes if the line is incomplete, otherwise 0
 };
 
+/// Reads a journal, even while another process writes it: takes no lock, and leaves out a last line that is
+/// not yet complete. Throws InputError for a damaged line.
 JournalContents read_contents(const std::filesystem::path& file);
 
 }  // namespace pelage

@@ -115,6 +115,12 @@ Json parsed(const std::string& text) {
   });
 }
 
+std::optional<Status> status_from_text(std::string_view text) {
+  for (const auto& [value, name] : kStatus)
+    if (name == text) return value;
+  return {};
+}
+
 Row row_from_json(const Json& json) {
   const int schema = whole(json.at("schema"));
   if (schema < 1 || schema > kRowSchema)
@@ -160,12 +166,6 @@ std::string_view to_text(Status status) {
   for (const auto& [value, text] : kStatus)
     if (value == status) return text;
   return "error";
-}
-
-std::optional<Status> status_from_text(std::string_view text) {
-  for (const auto& [value, name] : kStatus)
-    if (name == text) return value;
-  return {};
 }
 
 std::string row_key(const Row& row) {

@@ -19,8 +19,7 @@ inline constexpr int kRowSchema = 3;
 
 enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 
-std::string_view to_text(Status status);                        ///< "ok", "failed-check", ...
-std::optional<Status> status_from_text(std::string_view text);  ///< empty if `text` is not a status
+std::string_view to_text(Status status);  ///< "ok", "failed-check", ...
 
 /// Measured times of one phase in milliseconds, in the order of measurement. `wall_ms` is empty for a phase
 /// within a frame, which has no separate wall time. `event_ms` is empty if the device has no usable timer.

@@ -125,6 +125,17 @@ std::map<std::string, std::string> short_model_names(const std::vector<Cell>& ce
   return names;
 }
 
+/// Returns the number of triangles of each model; 0 if no cell of the model contains it.
+std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells) {
+  std::map<std::string, double> counts;
+  for (const Cell& c : cells) {
+    double& count = counts[c.axis("model")];
+    if (const auto found = c.metrics.find("triangles"); found != c.metrics.end())
+      count = std::max(count, found->second.value);
+  }
+  return counts;
+}
+
 bool is_key(const std::string& column, const std::vector<Cell>& cells) {
   return column == "variant" ||
          std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(column); });
@@ -280,16 +291,6 @@ void sort_cells(std::vector<Cell>& cells) {
         return precedes(axis, left, right);
     return a.variant < b.variant;
   });
-}
-
-std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells) {
-  std::map<std::string, double> counts;
-  for (const Cell& c : cells) {
-    double& count = counts[c.axis("model")];
-    if (const auto found = c.metrics.find("triangles"); found != c.metrics.end())
-      count = std::max(count, found->second.value);
-  }
-  return counts;
 }
 
 std::string marks_of(const Cell& cell) {

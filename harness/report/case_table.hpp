@@ -51,9 +51,6 @@ void show_interval(Table& table, const std::string& name);
 /// true.
 std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts);
 
-/// Returns the number of triangles of each model; 0 if no cell of the model contains it.
-std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells);
-
 /// Sorts the cells, because the run measured them in random order. The order is by the number of triangles,
 /// then by the values of the axes (model first, layers and size last), then by the variant.
 void sort_cells(std::vector<Cell>& cells);

@@ -137,7 +137,7 @@ TEST_F(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
       journal);
   EXPECT_EQ(summary.ok, 3u);
   EXPECT_EQ(summary.not_ok, 1u);
-  const auto rows = read_journal(journal.file());
+  const auto rows = read_contents(journal.file()).rows;
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1].status, Status::error);
   EXPECT_NE(rows[1].reason.find("log line 2"), std::string::npos);
@@ -150,7 +150,7 @@ TEST_F(Runner, BadInputOfACaseIsARowWithAnError) {
       fake_plan(1), [](const Case&) -> std::unique_ptr<Subject> { throw InputError("cow.off: empty"); },
       journal);
   EXPECT_EQ(summary.not_ok, 1u);
-  const auto rows = read_journal(journal.file());
+  const auto rows = read_contents(journal.file()).rows;
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].status, Status::error);
   EXPECT_EQ(rows[0].reason, "cow.off: empty");
@@ -238,7 +238,7 @@ std::string without_times(Row row) {
 
 std::vector<std::string> contents(const fs::path& file) {
   std::vector<std::string> lines;
-  for (const Row& row : read_journal(file)) lines.push_back(without_times(row));
+  for (const Row& row : read_contents(file).rows) lines.push_back(without_times(row));
   return lines;
 }
 

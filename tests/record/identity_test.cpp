@@ -71,7 +71,7 @@ TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
   Row row = sample_row("a");
   row.schema = 4;
   write_text(folder.path / "j.jsonl", to_line(row) + "\n");
-  const std::string text = refusal([&] { read_journal(folder.path / "j.jsonl"); });
+  const std::string text = refusal([&] { read_contents(folder.path / "j.jsonl").rows; });
   EXPECT_NE(text.find("j.jsonl:1: the row has schema 4"), std::string::npos) << text;
   EXPECT_EQ(text.find("delete"), std::string::npos) << text;
 }
@@ -92,7 +92,7 @@ TEST(Journal, AFailedCaseRunsAgain) {
     EXPECT_TRUE(journal.holds(row_key(failed)));
     EXPECT_NE(refusal([&] { journal.append(failed); }), "");
   }
-  const std::vector<Row> rows = read_journal(file);
+  const std::vector<Row> rows = read_contents(file).rows;
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows.front().status, Status::ok);
 }

@@ -72,7 +72,7 @@ struct Inputs {
 
 std::vector<std::string> cases_of(const fs::path& journal) {
   std::vector<std::string> names;
-  for (const Row& row : read_journal(journal)) names.push_back(row.case_name);
+  for (const Row& row : read_contents(journal).rows) names.push_back(row.case_name);
   return names;
 }
 
@@ -201,7 +201,7 @@ TEST(Merge, RowsOfSchema1StayReadable) {
   }
   write_merge(inputs.plan({"a", "b"}), inputs.out());
   EXPECT_EQ(cases_of(inputs.out() / "own/gpu@node1.jsonl"), (Names{"a", "b"}));
-  EXPECT_EQ(read_journal(inputs.out() / "own/gpu@node1.jsonl").front().schema, 1);
+  EXPECT_EQ(read_contents(inputs.out() / "own/gpu@node1.jsonl").rows.front().schema, 1);
 }
 
 TEST(Merge, EachRowKeepsItsPicture) {

@@ -49,7 +49,7 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
         journal);
     journal.append(test::sample_row("by hand"));
   }
-  ASSERT_EQ(read_journal(file).size(), 5u);
+  ASSERT_EQ(read_contents(file).rows.size(), 5u);
   EXPECT_EQ(refused_lines(file, folder.path), 0);
 }
 
@@ -63,7 +63,7 @@ TEST(Schema, HoldsTheRowsOfResults) {
     if (entry.path().extension() != ".jsonl") continue;
     ++journals;
     EXPECT_EQ(refused_lines(entry.path(), folder.path), 0) << entry.path();
-    EXPECT_FALSE(read_journal(entry.path()).empty()) << entry.path();
+    EXPECT_FALSE(read_contents(entry.path()).rows.empty()) << entry.path();
   }
   EXPECT_GT(journals, 0);
 }
