@@ -1,4 +1,3 @@
-// Makes the cases of an experiment from its axes. An axis is a quantity that varies over the cases.
 #include "harness/experiment/experiment.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Tests the folder of an animation: which frames are kept, and which folders are refused.
 #include "harness/animation/frame_folder.hpp"
 
 #include <gtest/gtest.h>

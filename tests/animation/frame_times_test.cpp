@@ -1,4 +1,3 @@
-// Tests the times of the frames of an animation.
 #include "harness/animation/frame_times.hpp"
 
 #include <gtest/gtest.h>

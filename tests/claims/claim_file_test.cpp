@@ -1,4 +1,3 @@
-// Tests the reader of claim files, and its messages about files with errors.
 #include <gtest/gtest.h>
 
 #include "harness/claims/claim.hpp"

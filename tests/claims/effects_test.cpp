@@ -1,5 +1,4 @@
-// Tests every effect of a claim (docs/experiments.md) and every quantity from which effects are computed. The
-// expected values were computed by hand.
+// Tests every effect and every quantity of a claim (docs/experiments.md) against values computed by hand.
 #include "harness/claims/effects.hpp"
 
 #include <gtest/gtest.h>

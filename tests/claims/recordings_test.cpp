@@ -206,9 +206,8 @@ TEST(Recordings, AMissingCaseMakesAClaimUntestable) {
   EXPECT_EQ(judge(only("layers-third"), rows).front().verdict, Verdict::untestable);
 }
 
-// In the recordings, three processes measured each case of topology-table1. The test computes the relative
-// standard deviation of their frame times within a case, pooled over the cases. The shipped process_spread
-// must not be below this value, and the comment in experiments/claims.toml must state it.
+// The shipped process_spread must not be below the relative standard deviation of the frame times of three
+// processes in the recordings of topology-table1, which the comment in experiments/claims.toml must state.
 TEST(Recordings, TheAssumedSpreadIsNotTooSmall) {
   std::map<std::string, std::vector<double>> logs;
   for (const auto& [row, journal, copies] : recordings())

@@ -1,6 +1,4 @@
-// An axis of an experiment is a quantity that varies over the cases. These tests use axes with names that the
-// author of the experiment file chose, such as `mood`. Each value of such an axis is the name of a table in
-// the file. The table contains scene keys. The tests also cover the checks that apply to all axes.
+// Tests axes whose names the author of the experiment file chose, such as `mood`, and the checks of all axes.
 #include "harness/experiment/axes.hpp"
 
 #include <gtest/gtest.h>

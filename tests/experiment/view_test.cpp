@@ -1,4 +1,3 @@
-// Tests the table [report] of experiment files, which selects the tables and plots of the report.
 #include "harness/experiment/view.hpp"
 
 #include <gtest/gtest.h>

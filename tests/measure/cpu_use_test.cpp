@@ -1,4 +1,3 @@
-// Tests the measurement of CPU time and memory.
 #include "harness/measure/cpu_use.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,4 @@
-// Tests the identity of rows, which consists of hashes of everything that determines what a row measured. The
-// tests check how two identities are compared, which rows pelage refuses, which cases run again, and that
-// several copies of a row count as one row.
+// Tests which rows pelage refuses, which cases run again, and that several copies of a row count as one row.
 #include "harness/record/identity.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,4 @@
-// A merge copies the rows of several folders of results into one new folder. The tests check what the merge
-// does with rows: it writes them into one journal or into separate folders, leaves them out, or refuses them.
-// The tests also check which files the merge writes, and their contents.
+// Tests into which journals a merge writes rows, and which it leaves out or refuses.
 #include "harness/record/merge.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Tests the metrics that compare the time of a phase with the time of the frame: their direction follows from
-// their name alone, and rows of earlier schemas are read under the present names.
+// The direction of a ratio follows from its name alone; earlier schemas are read under the present names.
 #include "harness/record/ratios.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Functions that return rows of results with synthetic times. Tests of the report use them. The cases are
-// those of the experiment silva2010-table1 (Table 1 of Silva et al. 2010).
+// Rows of results with synthetic times. The cases are those of the experiment silva2010-table1.
 #pragma once
 #include <fmt/format.h>
 
@@ -31,10 +30,9 @@ inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std:
   return rows;
 }
 
-/// Returns one row for each of the 32 cases. Each row has 21 frame times. Their median is factor * (F + P) *
-/// N / 1e6 ms, where F is the number of triangles, P is the number of pixels, and N is the number of layers.
-/// This formula is invented. The frame times of a row differ from their median by at most 1% and do not
-/// drift.
+/// Returns one row for each of the 32 cases, with 21 frame times that do not drift. Their median is factor *
+/// (F + P) * N / 1e6 ms (an invented formula) with F triangles, P pixels and N layers, from which they differ
+/// by at most 1%.
 inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");

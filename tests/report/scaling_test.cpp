@@ -1,5 +1,5 @@
-// Tests the report's text on how the frame time grows with the number of layers. Also tests that the fit of
-// plots/scaling.py finds the coefficients from which a synthetic table was computed.
+// Tests the text on the cost of layers, and that plots/scaling.py finds the coefficients of a synthetic
+// table.
 #include <gtest/gtest.h>
 
 #include <cmath>

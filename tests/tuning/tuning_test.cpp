@@ -1,4 +1,3 @@
-// Tests tuning: the search selects the fastest values with correct output, and tuning files can be read back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
