@@ -10,7 +10,6 @@
 
 #include "harness/base/numbers.hpp"
 #include "harness/error.hpp"
-#include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/soup.hpp"

@@ -173,6 +173,21 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   return result;
 }
 
+fs::path example_scene(const std::string& name) {
+  const fs::path folder = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR).back() / "examples";
+  std::vector<std::string> known;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& file = entry.path();
+    if (file.extension() != ".toml") continue;
+    if (file.stem() == name || file.filename() == name) return file;
+    known.push_back(file.stem().string());
+  }
+  std::sort(known.begin(), known.end());
+  throw InputError(fmt::format("{}: there is no such scene file, and no such example in {}/ (examples: {})",
+                               name, folder.string(), fmt::join(known, ", ")));
+}
+
 }  // namespace
 
 Case baseline_case(const Experiment& experiment, const Case& which) {
@@ -232,6 +247,12 @@ std::vector<fs::path> experiments_named(const std::string& name_or_file) {
     for (const fs::path& file : files)
       if (read_experiment(file).collection == name_or_file) collection.push_back(file);
   return collection.empty() ? std::vector{experiment_file(name_or_file)} : collection;
+}
+
+fs::path file_or_example(const fs::path& folder, const std::string& name) {
+  const fs::path file = (folder / name).lexically_normal();
+  std::error_code error;
+  return fs::exists(file, error) || error || name.find('/') != std::string::npos ? file : example_scene(name);
 }
 
 const Preset& preset_of(const Experiment& experiment, const std::string& name) {

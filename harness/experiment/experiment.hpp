@@ -125,6 +125,11 @@ std::filesystem::path experiment_file(const std::string& name_or_file);
 std::vector<std::filesystem::path> experiments_named(const std::string& name_or_file);
 std::vector<std::filesystem::path> experiment_files();  ///< all shipped experiment files, sorted
 
+/// Returns the path of a scene file, relative to `folder`. If there is no such file, and `name` contains no
+/// '/', returns the path of the example NAME or NAME.toml. The InputError for an unknown name lists all
+/// examples.
+std::filesystem::path file_or_example(const std::filesystem::path& folder, const std::string& name);
+
 /// Returns the preset `name`. The InputError for an unknown name lists the presets.
 const Preset& preset_of(const Experiment& experiment, const std::string& name);
 

@@ -13,7 +13,6 @@
 #include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
-#include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
 
