@@ -8,12 +8,9 @@
 
 namespace pelage::claims {
 
-/// Returns all claims as text for a terminal. The last line contains the number of claims with each verdict.
-std::string text_of(const std::vector<Judged>& judged);
-
-/// Returns text_of() without the claims about experiments that have no rows; a line states their number and
-/// the names of their experiments.
-std::string short_text_of(const std::vector<Judged>& judged);
+/// Returns the claims as text for a terminal, followed by the number of claims with each verdict. If `all` is
+/// false, a line names the experiments without rows in place of the claims about them.
+std::string text_of(const std::vector<Judged>& judged, bool all = true);
 
 /// Returns a table with unrounded numbers, whose first line contains the names of the columns.
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged);

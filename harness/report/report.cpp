@@ -171,10 +171,8 @@ void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::p
     report.notes.push_back(fmt::format("the report has no claims: {}", error.what()));
   }
   std::erase_if(report.claims, [](const claims::Judged& judged) { return judged.device.empty(); });
-  if (report.claims.empty()) return;
-  std::string csv;
-  for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
-  write_file(report, folder / "tables" / "claims.csv", csv);
+  if (!report.claims.empty())
+    write_file(report, folder / "tables" / "claims.csv", csv_lines(claims::table_of(report.claims)));
 }
 
 }  // namespace

@@ -30,16 +30,20 @@ std::string csv_line(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-std::string csv_of(const Table& table) {
-  std::vector<std::string> fields;
-  for (const Column& column : table.columns) fields.push_back(column.name);
-  std::string text = csv_line(fields);
-  for (const auto& line : table.lines) {
-    fields.clear();
-    for (const Value& value : line) fields.push_back(value.data);
-    text += csv_line(fields);
-  }
+std::string csv_lines(const std::vector<std::vector<std::string>>& lines) {
+  std::string text;
+  for (const std::vector<std::string>& line : lines) text += csv_line(line);
   return text;
+}
+
+std::string csv_of(const Table& table) {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const Column& column : table.columns) lines[0].push_back(column.name);
+  for (const auto& line : table.lines) {
+    lines.emplace_back();
+    for (const Value& value : line) lines.back().push_back(value.data);
+  }
+  return csv_lines(lines);
 }
 
 }  // namespace pelage

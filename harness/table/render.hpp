@@ -19,6 +19,7 @@ std::string html_of(const Table& table);
 /// Returns one line of CSV, including its line feed. Fields that contain a comma, a quote or a line break are
 /// quoted. A field that a spreadsheet could read as a formula gets an apostrophe.
 std::string csv_line(const std::vector<std::string>& fields);
+std::string csv_lines(const std::vector<std::vector<std::string>>& lines);
 /// Returns the text with LaTeX's special characters escaped.
 std::string latex_text(const std::string& text);
 /// Returns the text with HTML's special characters escaped.
