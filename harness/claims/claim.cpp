@@ -20,7 +20,7 @@ std::string ratio_of(const Claim& claim, const std::string& quantity) {
                      claim.axis, claim.to);
 }
 
-std::string effect_of(const Claim& claim) {
+std::string effect_words(const Claim& claim) {
   const std::string quantity = quantity_of(claim);
   const std::string& against = claim.along.empty() ? claim.axis : claim.along;
   switch (claim.effect) {
@@ -66,8 +66,8 @@ bool Region::outside(double from, double to) const {
 std::string description_of(const Claim& claim) {
   if (!claim.untestable.empty()) return {};
   const std::string alternately = claim.phases.empty() ? "" : "; one process drew the cases alternately";
-  if (claim.effect == Effect::share_of_cases) return effect_of(claim) + alternately;
-  return fmt::format("{}; {}{}", effect_of(claim), combination_names[std::size_t(claim.combine)],
+  if (claim.effect == Effect::share_of_cases) return effect_words(claim) + alternately;
+  return fmt::format("{}; {}{}", effect_words(claim), combination_names[std::size_t(claim.combine)],
                      alternately);
 }
 

@@ -25,7 +25,7 @@ std::string percent(double fraction) {
   return fmt::format("{:+.1f}%", 100 * fraction);
 }
 
-nlohmann::ordered_json to_json(const Pair& p) {
+nlohmann::ordered_json pair_json(const Pair& p) {
   return {{"case", p.name},
           {"a", p.a},
           {"b", p.b},
@@ -47,10 +47,10 @@ nlohmann::ordered_json to_json(const Pair& p) {
           {"reason", p.reason}};
 }
 
-void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
+void print_pairs(const std::vector<Pair>& pairs, const CompareOptions& options) {
   if (options.json) {
     auto list = nlohmann::ordered_json::array();
-    for (const Pair& p : pairs) list.push_back(to_json(p));
+    for (const Pair& p : pairs) list.push_back(pair_json(p));
     fmt::print("{}\n", list.dump(2));
     return;
   }
@@ -138,7 +138,7 @@ int compare(const CompareOptions& options) {
   const std::vector<Cell> a = timed_cells(options.a, options.phase);
   const std::vector<Cell> b = one_set ? a : timed_cells(options.b, options.phase);
   const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, limits);
-  print(pairs, options);
+  print_pairs(pairs, options);
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
   };

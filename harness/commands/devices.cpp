@@ -21,7 +21,7 @@ double gib(std::uint64_t bytes) {
   return static_cast<double>(bytes) / (1 << 30);
 }
 
-nlohmann::ordered_json to_json(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed) {
+nlohmann::ordered_json device_json(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed) {
   const cl::DeviceInfo& info = device.info();
   nlohmann::ordered_json json{{"device", device.spec()},
                               {"name", info.name},
@@ -50,7 +50,7 @@ nlohmann::ordered_json to_json(const cl::Device& device, const std::optional<cl:
   return json;
 }
 
-void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed) {
+void print_device(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed) {
   const cl::DeviceInfo& info = device.info();
   const char* kind = info.gpu && info.cpu ? "CPU and GPU"
                      : info.gpu           ? "GPU"
@@ -101,10 +101,10 @@ int list_devices(const DevicesOptions& options) {
         failed = true;
       }
     if (options.json) {
-      list.push_back(to_json(device, speed));
+      list.push_back(device_json(device, speed));
       if (!failure.empty()) list.back()["error"] = failure;
     } else {
-      print(device, speed);
+      print_device(device, speed);
       if (!failure.empty()) fmt::print("     failed    {}\n", failure);
     }
   }

@@ -101,7 +101,7 @@ Picture draw_atlas(const Mesh& mesh, int side) {
   return picture;
 }
 
-void print(const Mesh& mesh) {
+void print_mesh(const Mesh& mesh) {
   const Topology t = topology(mesh);
   const UvQuality q = uv_quality(mesh);
   fmt::print("{}, content {}\n", mesh.name, mesh.hash);
@@ -131,7 +131,7 @@ void print(const Mesh& mesh) {
       mesh.length_per_uv.x, mesh.length_per_uv.y);
 }
 
-int run(const MeshCommand& command) {
+int prepare_mesh(const MeshCommand& command) {
   if (!command.atlas.empty()) check_picture_path(command.atlas);
   MeshOptions options;
   options.faces = command.faces;
@@ -144,7 +144,7 @@ int run(const MeshCommand& command) {
   options.rotate = rotation_of(turn);
   options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   const auto mesh = load_model(command.model, options);
-  print(*mesh);
+  print_mesh(*mesh);
   for (const std::string& warning : uv_warnings(*mesh)) fmt::print(stderr, "{}: {}\n", mesh->name, warning);
   if (!command.output.empty()) write_ply(command.output, *mesh);
   if (!command.atlas.empty()) write_picture(command.atlas, draw_atlas(*mesh, 1024));
@@ -186,7 +186,7 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
       ->type_name("X,Y,Z");
   command->add_option("--atlas", options->atlas,
                       "Draw the UV map with its charts, seams and flipped faces as a picture");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return prepare_mesh(*options); }; });
 }
 
 }  // namespace pelage

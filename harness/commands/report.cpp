@@ -34,7 +34,7 @@ void use_view(std::vector<FoundRow>& rows, const std::string& file) {
 }
 
 /// Prints the testable claims and their verdicts, and the number of the untestable claims.
-void print_claims(std::vector<claims::Judged> claims) {
+void print_judged(std::vector<claims::Judged> claims) {
   const std::size_t untestable = std::erase_if(
       claims, [](const claims::Judged& one) { return one.verdict == claims::Verdict::untestable; });
   if (!claims.empty()) fmt::print("{}", claims::text_of(claims));
@@ -43,9 +43,9 @@ void print_claims(std::vector<claims::Judged> claims) {
                untestable, claims.empty() ? "" : "further ");
 }
 
-void print(const Report& written) {
+void print_report(const Report& written) {
   for (const Section& section : written.sections) fmt::print("{}\n", text_of(section.table));
-  print_claims(written.claims);
+  print_judged(written.claims);
   fmt::print("{}", written.scaling);
   for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);
   for (const Cell& cell : written.cells)
@@ -66,7 +66,7 @@ int report(const ReportOptions& options) {
     return std::string{};
   };
   const std::vector<Report> reports = write_reports(results.rows, options.output, footnote, results.left_out);
-  for (const Report& written : reports) print(written);
+  for (const Report& written : reports) print_report(written);
   const std::filesystem::path page = std::filesystem::path(options.output) / "index.html";
   for (const std::string& note : write_page(reports, page)) fmt::print(stderr, "pelage: {}\n", note);
   fmt::print(stderr, "pelage: wrote the report to {}\n", page.string());

@@ -49,8 +49,8 @@ void row(std::string_view what, const auto& masses, const auto& springs, const s
              implicit_kib, paper.empty() ? "" : fmt::format("  {:>14}", paper));
 }
 
-void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on,
-           const Published& published) {
+void print_topology(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on,
+                    const Published& published) {
   const springs::Solver& implicit = *std::find_if(std::begin(springs::solvers), std::end(springs::solvers),
                                                   [](const auto& s) { return s.implicit; });
   const springs::SpringNetwork built = springs::build(kind, mesh, any_length, vertices);
@@ -75,7 +75,7 @@ void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
   write_text_atomically(path, svg);
 }
 
-int run(const TopologyCommand& command) {
+int count_springs(const TopologyCommand& command) {
   MeshOptions options;
   options.faces = command.faces;
   MeshScene turn;
@@ -94,14 +94,15 @@ int run(const TopologyCommand& command) {
   row("topology", "masses", "springs", "least/mean/most", "explicit", "implicit",
       published.empty() ? "" : "masses/springs");
   for (const springs::Kind kind : springs::kinds)
-    print(*mesh, kind, springs::Vertices::points, "", published);
+    print_topology(*mesh, kind, springs::Vertices::points, "", published);
   const std::size_t strands = (counts.faces + 15) / 16 * 16 * sizeof(float) *
                               (std::size_t(VIRTUAL_STRAND_COLUMNS) + std::size_t(STATE_COLUMNS));
   row("strands (Silva et al. 2010)", counts.faces, counts.faces, "1 / 1.00 / 1",
       fmt::format("{:.0f}", double(strands) / 1024), "-");
   if (counts.copies != counts.points)
     for (const springs::Kind& kind : springs::kinds)
-      if (!kind.separable) print(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
+      if (!kind.separable)
+        print_topology(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
   return 0;
 }
 
@@ -125,7 +126,7 @@ void add_topology(CLI::App& app, Chosen& chosen) {
                    "Length of the sticks in the drawing, in radii of the bounding sphere")
       ->check(CLI::Range(0.001f, 10.0f))
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return count_springs(*options); }; });
 }
 
 }  // namespace pelage

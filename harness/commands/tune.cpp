@@ -48,7 +48,7 @@ std::vector<NamedInput> prepared(const Experiment& experiment, const std::vector
   return inputs;
 }
 
-std::string told(const Candidate& c) {
+std::string outcome_of(const Candidate& c) {
   if (!c.fault.empty()) return "failed: " + c.fault;
   return fmt::format("{:.3f} ({:.3f} to {:.3f}){}", c.ratio, c.interval.low, c.interval.high,
                      c.wins ? ", faster" : "");
@@ -125,7 +125,7 @@ int tune(const TuneOptions& options) {
     for (const NamedInput& n : inputs) scenes.push_back(tuning_scene(stages[i], n.name, device, n.input));
     const TuningSearch found =
         search_tuning(axes[i], scenes, options.rounds, [&stage = stages[i]](const Candidate& c) {
-          fmt::print("{}\t{}\t{}\n", stage, text_of(c.tuning), told(c));
+          fmt::print("{}\t{}\t{}\n", stage, text_of(c.tuning), outcome_of(c));
           std::fflush(stdout);
         });
     if (!found.fault.empty()) {
@@ -135,7 +135,7 @@ int tune(const TuneOptions& options) {
     }
     if (!found.last.tuning.empty())
       fmt::print("{}\t{}\ttime relative to the shipped values: {}{}\n", stages[i], text_of(found.last.tuning),
-                 told(found.last), found.best.empty() ? "; dropped" : "");
+                 outcome_of(found.last), found.best.empty() ? "; dropped" : "");
     fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
     store(file, stages[i], found, scenes.front().make(found.best)->kernel_hash(), device, inputs);
   }

@@ -45,7 +45,7 @@ std::string water_table(const Scene& scene, double to, double fps) {
   return text;
 }
 
-int run(const WaterOptions& options) {
+int follow_water(const WaterOptions& options) {
   if (options.to * options.fps > most_lines)
     throw InputError(fmt::format("--to {} --fps {}: {:.0f} lines; give at most {:.0f}", options.to,
                                  options.fps, options.to * options.fps, most_lines));
@@ -74,7 +74,7 @@ void add_water(CLI::App& app, Chosen& chosen) {
                    "standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return follow_water(*options); }; });
 }
 
 }  // namespace pelage

@@ -34,7 +34,7 @@ void write_keys(Hdf5File& file, const std::vector<KeyStrand>& keys) {
   write("key/rest", &KeyStrand::rest, "1", "direction d at rest");
 }
 
-void write_strands(Hdf5File& file, const std::vector<KeyedStrand>& strands) {
+void write_drawn_strands(Hdf5File& file, const std::vector<KeyedStrand>& strands) {
   const std::size_t count = strands.size();
   const auto keys = column<std::array<std::uint32_t, 3>>(strands, [](const auto& s) { return s.key; });
   file.write("strand/key", {count, 3}, dump::flat<std::uint32_t>(keys), "1",
@@ -113,7 +113,7 @@ void write_skin(Hdf5File& file, const SkinSurface& skin, bool deforms) {
 
 void dump::write_strand_frame(Hdf5File& file, const StrandInput& input, const StrandFrame& frame) {
   write_keys(file, frame.keys);
-  pelage::write_strands(file, input.fur.strands);
+  write_drawn_strands(file, input.fur.strands);
   write_curves(file, frame);
   write_look(file, input);
   if (frame.skin) write_skin(file, *frame.skin, !input.mesh->frames.empty());

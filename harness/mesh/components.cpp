@@ -29,7 +29,7 @@ struct Chart {
   double scale = 1;     // ratio of lengths on the surface to lengths in the chart
 };
 
-glm::dvec2 turned(glm::dvec2 p, double degrees) {
+glm::dvec2 turned_by(glm::dvec2 p, double degrees) {
   const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
   return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
@@ -197,7 +197,7 @@ Surface packed(const Surface& surface, const std::vector<Surface>& parts, const 
     const Chart& chart = charts[n];
     Surface::Corners corners = parts[n].uv[next[n]++];
     for (glm::dvec2& p : corners) {
-      p = (chart.place + chart.scale * (turned(p, chart.degrees) - chart.low)) / side;
+      p = (chart.place + chart.scale * (turned_by(p, chart.degrees) - chart.low)) / side;
       p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding may move p out of the square
     }
     result.uv.push_back(corners);

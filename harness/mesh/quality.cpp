@@ -58,7 +58,7 @@ void for_each_edge(const std::vector<Side>& sides, Visit visit) {
   }
 }
 
-double twice_uv_area(const Mesh& mesh, const glm::uvec3& t) {
+double twice_map_area(const Mesh& mesh, const glm::uvec3& t) {
   const glm::dvec2 a(mesh.uv[t.x]), b(mesh.uv[t.y]), c(mesh.uv[t.z]);
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -70,7 +70,7 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
   for (const glm::uvec3& t : mesh.triangle) {
     glm::dvec2 p[3];
     for (int k = 0; k < 3; ++k) p[k] = glm::dvec2(mesh.uv[t[k]]) * double(side) - 0.5;
-    if (twice_uv_area(mesh, t) < 0) std::swap(p[1], p[2]);
+    if (twice_map_area(mesh, t) < 0) std::swap(p[1], p[2]);
     const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
     for (int y = std::max(0, int(std::ceil(low))); y < side && y < high; ++y) {
       double left = HUGE_VAL, right = -HUGE_VAL;
@@ -166,7 +166,7 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
   double area = 0, turned = 0;
   std::size_t faces = 0;
   for (const glm::uvec3& t : mesh.triangle) {
-    const double twice = twice_uv_area(mesh, t);
+    const double twice = twice_map_area(mesh, t);
     area += std::abs(twice);
     if (twice < 0) turned -= twice, ++faces;
   }
@@ -191,7 +191,7 @@ UvQuality uv_quality(const Mesh& mesh, int side) {
   std::vector<std::pair<double, double>> ratio;
   for (const glm::uvec3& t : mesh.triangle) {
     const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
-    const double twice = twice_uv_area(mesh, t), surface = glm::length(glm::cross(b - a, c - a)) / 2;
+    const double twice = twice_map_area(mesh, t), surface = glm::length(glm::cross(b - a, c - a)) / 2;
     uv_area += std::abs(twice) / 2;
     if (twice < 0) flipped -= twice / 2, ++quality.flipped_faces;
     surface_area += surface;

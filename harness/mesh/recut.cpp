@@ -45,7 +45,7 @@ bool is_clean(const Shape& shape) {
          uv_overlaps(shape).empty();
 }
 
-Shape shape_of(const Surface& surface, const Faces& faces) {
+Shape shape_of_faces(const Surface& surface, const Faces& faces) {
   Shape shape;
   for (const std::uint32_t f : faces) shape.push_back(surface.uv[f]);
   return shape;
@@ -178,7 +178,7 @@ class Flattener {
   /// Appends the charts of a piece. With `anew`, the piece is flattened even if its present UV has no
   /// overlaps.
   void add(const Faces& faces, bool anew, std::vector<Chart>& charts) const {
-    const Shape present = shape_of(surface_, faces);
+    const Shape present = shape_of_faces(surface_, faces);
     const bool clean = is_clean(present);
     std::optional<Chart> chart;
     if (anew) chart = flattened(faces, even, false);

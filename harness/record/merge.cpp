@@ -23,7 +23,7 @@ std::string key_of(const FoundRow& found) {
   return journal_of(found).string() + "|" + row_key(found.row);
 }
 
-void refuse_names(const FoundRow& found) {
+void refuse_odd_names(const FoundRow& found) {
   const auto is_name = [](const std::string& name) {
     return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos &&
            name.find('\0') == std::string::npos;
@@ -122,7 +122,7 @@ std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
 Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
   Merge merge;
   for (const FoundRow& found : rows) {
-    refuse_names(found);
+    refuse_odd_names(found);
     merge.copies += found.copies.size();
   }
   const std::vector<FoundRow> kept = without_replaced(rows);

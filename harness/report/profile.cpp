@@ -14,7 +14,7 @@ double gb_per_second(const KernelWork& k) {
 }
 
 /// Returns the name of the kernel, with its phase if another phase of the frame has the same kernel.
-std::string name_of(const FrameWork& frame, const KernelWork& kernel) {
+std::string kernel_name(const FrameWork& frame, const KernelWork& kernel) {
   const auto same = std::count_if(frame.kernels.begin(), frame.kernels.end(),
                                   [&](const KernelWork& k) { return k.kernel == kernel.kernel; });
   return same > 1 ? fmt::format("{}, {}", kernel.kernel, kernel.phase) : kernel.kernel;
@@ -39,8 +39,8 @@ std::string text_of(const std::vector<FrameWork>& frames, const Bandwidth& bandw
                         "of triad");
     double sum = 0;
     for (const KernelWork& k : f.kernels) {
-      text += fmt::format("  {:<22} {:>9.3f} {:>6.1f}% {:>9.2f} {:>8.2f} {:>7.1f}%\n", name_of(f, k), k.ms,
-                          100 * k.ms / f.frame_ms, k.bytes * 1e-6, gb_per_second(k),
+      text += fmt::format("  {:<22} {:>9.3f} {:>6.1f}% {:>9.2f} {:>8.2f} {:>7.1f}%\n", kernel_name(f, k),
+                          k.ms, 100 * k.ms / f.frame_ms, k.bytes * 1e-6, gb_per_second(k),
                           100 * gb_per_second(k) / bandwidth.gb_s);
       sum += k.ms;
     }

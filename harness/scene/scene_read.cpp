@@ -96,7 +96,7 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys,
   return fmt::format("no such key; did you mean {}?", best);
 }
 
-double number(const Source& source, const toml::node& node, const Key& key, std::string_view name) {
+double number_from(const Source& source, const toml::node& node, const Key& key, std::string_view name) {
   if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
   const bool wants_whole =
       std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot);
@@ -114,7 +114,7 @@ std::vector<double> vector(const Source& source, const toml::node& node, const K
     refuse(source, &node, name, fmt::format("has {} entries; give {}", array->size(), describe_range(key)));
   }
   std::vector<double> values;
-  for (const toml::node& entry : *array) values.push_back(number(source, entry, key, name));
+  for (const toml::node& entry : *array) values.push_back(number_from(source, entry, key, name));
   return values;
 }
 
@@ -137,7 +137,7 @@ void assign(const Source& source, const toml::node& node, const Key& key, const 
     return value;
   };
   const auto reals = [&](std::size_t size) { return checked(vector(source, node, key, name, size)); };
-  const auto real = [&] { return checked(std::vector<double>{number(source, node, key, name)})[0]; };
+  const auto real = [&] { return checked(std::vector<double>{number_from(source, node, key, name)})[0]; };
   std::visit(
       [&](auto* slot) {
         using T = std::remove_reference_t<decltype(*slot)>;

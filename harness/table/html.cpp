@@ -24,7 +24,7 @@ std::string cell_of(const std::optional<Value>& value) {
                      value->mark.empty() ? "" : fmt::format("<sup>{}</sup>", html_text(value->mark)));
 }
 
-std::string head_of(const Pivot& pivot, const Pivot::Block& block) {
+std::string html_head(const Pivot& pivot, const Pivot::Block& block) {
   const bool grouped = pivot.groups.size() != 1 || !pivot.groups[0].empty();
   std::string text = "<thead>";
   if (grouped || !block.label.empty()) {
@@ -59,7 +59,7 @@ std::string html_of(const Table& table) {
   const Pivot pivot = pivot_of(table);
   std::string text;
   for (const Pivot::Block& block : pivot.blocks) {
-    text += "<div class=\"wide\"><table>\n" + head_of(pivot, block) + "<tbody>\n";
+    text += "<div class=\"wide\"><table>\n" + html_head(pivot, block) + "<tbody>\n";
     for (const Pivot::Row& row : block.rows) {
       text += "<tr>";
       for (const Value& key : row.keys) text += cell_of(key);

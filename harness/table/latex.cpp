@@ -22,7 +22,7 @@ std::string label_text(const std::vector<std::string>& parts) {
   return text;
 }
 
-std::string latex_value(const Value& value) {
+std::string latex_cell(const Value& value) {
   return latex_text(value.shown) +
          (value.mark.empty() ? "" : fmt::format("\\tnote{{{}}}", latex_text(value.mark)));
 }
@@ -45,8 +45,8 @@ std::string block_of(const Pivot& pivot, const Pivot::Block& block) {
     for (const Column& value : pivot.values) text += " & " + latex_text(value.heading);
   text += " \\\\\n\\midrule\n";
   for (const Pivot::Row& row : block.rows) {
-    for (std::size_t k = 0; k < keys; ++k) text += (k > 0 ? " & " : "") + latex_value(row.keys[k]);
-    for (const auto& cell : row.cells) text += " & " + (cell ? latex_value(*cell) : "-");
+    for (std::size_t k = 0; k < keys; ++k) text += (k > 0 ? " & " : "") + latex_cell(row.keys[k]);
+    for (const auto& cell : row.cells) text += " & " + (cell ? latex_cell(*cell) : "-");
     text += " \\\\\n";
   }
   return text;

@@ -21,7 +21,7 @@ std::string right(const std::string& text, std::size_t width) {
   return fmt::format("{:>{}}", text, width);
 }
 
-std::string shown(const std::optional<Value>& value) {
+std::string text_cell(const std::optional<Value>& value) {
   if (!value) return "-";
   return value->mark.empty() ? value->shown : value->shown + " " + value->mark;
 }
@@ -39,7 +39,7 @@ Widths widths_of(const Pivot& pivot) {
     std::size_t width = pivot.keys[k].heading.size();
     for (const Pivot::Block& block : pivot.blocks) {
       if (k == 0) width = std::max(width, joined(block.label).size());
-      for (const Pivot::Row& row : block.rows) width = std::max(width, shown(row.keys[k]).size());
+      for (const Pivot::Row& row : block.rows) width = std::max(width, text_cell(row.keys[k]).size());
     }
     widths.push_back(width);
   }
@@ -49,7 +49,7 @@ Widths widths_of(const Pivot& pivot) {
       std::size_t width = two_heads(pivot) ? pivot.values[v].heading.size() : 0;
       for (const Pivot::Block& block : pivot.blocks)
         for (const Pivot::Row& row : block.rows)
-          width = std::max(width, shown(row.cells[g * pivot.values.size() + v]).size());
+          width = std::max(width, text_cell(row.cells[g * pivot.values.size() + v]).size());
       widths.push_back(width);
       sum += width + (v > 0 ? between_values : 0);
     }
@@ -72,7 +72,7 @@ std::string trimmed(std::string line) {
   return line + "\n";
 }
 
-std::string head_of(const Pivot& pivot, const Pivot::Block& block, const Widths& widths) {
+std::string text_head(const Pivot& pivot, const Pivot::Block& block, const Widths& widths) {
   const std::size_t count = pivot.values.size();
   std::vector<std::string> names;
   for (const Column& key : pivot.keys) names.push_back(key.heading);
@@ -112,14 +112,14 @@ std::string text_of(const Table& table) {
   std::string text = table.title + (table.subtitle.empty() ? "" : ": " + table.subtitle) + "\n";
   for (const Pivot::Block& block : pivot.blocks) {
     text += '\n';
-    text += head_of(pivot, block, widths);
+    text += text_head(pivot, block, widths);
     for (const Pivot::Row& row : block.rows) {
       std::vector<std::string> keys;
-      for (const Value& key : row.keys) keys.push_back(shown(key));
+      for (const Value& key : row.keys) keys.push_back(text_cell(key));
       std::string line = keys_line(keys, widths);
       for (std::size_t i = 0; i < row.cells.size(); ++i)
         line += std::string(i % pivot.values.size() == 0 ? between_groups : between_values, ' ') +
-                right(shown(row.cells[i]), widths[row.keys.size() + i]);
+                right(text_cell(row.cells[i]), widths[row.keys.size() + i]);
       text += trimmed(std::move(line));
     }
   }

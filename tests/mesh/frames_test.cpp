@@ -48,7 +48,7 @@ glm::dvec3 bent(glm::dvec3 p, int frame) {
   return p + glm::dvec3(0.3 * frame, 0.1 * frame * std::sin(p.x), 0);
 }
 
-std::string refusal(const TempFolder& folder, const std::string& first, int count) {
+std::string refusal_of_frames(const TempFolder& folder, const std::string& first, int count) {
   return test::refusal([&] {
     read_mesh_frames(*load_model((folder.path / first).string(), fresh()), folder.path / first, count,
                      glm::dvec3(0));
@@ -98,18 +98,20 @@ TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
   };
   for (const int frame : {1, 2}) folder.write(fmt::format("z{}.obj", frame), torus(centred));
   EXPECT_NE(torus(centred).find(" -0 "), std::string::npos);
-  EXPECT_EQ(refusal(folder, "z1.obj", 2), "accepted");
+  EXPECT_EQ(refusal_of_frames(folder, "z1.obj", 2), "accepted");
 }
 
 TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   const Move still = [](glm::dvec3 p) { return p; };
   const TempFolder folder;
   folder.write("a1.obj", torus(still));
-  EXPECT_NE(refusal(folder, "a1.obj", 2).find("a2.obj"), std::string::npos) << refusal(folder, "a1.obj", 2);
+  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos)
+      << refusal_of_frames(folder, "a1.obj", 2);
   folder.write("a2.obj", torus(still, 2 * around * along - 1));
-  EXPECT_NE(refusal(folder, "a1.obj", 2).find("the points or faces are not those of"), std::string::npos);
+  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("the points or faces are not those of"),
+            std::string::npos);
   folder.write("a2.obj", "no mesh");
-  EXPECT_NE(refusal(folder, "a1.obj", 2).find("a2.obj"), std::string::npos);
+  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos);
 
   // Two tori of the same points, of which only one moves.
   const std::string text = torus(still);
@@ -120,8 +122,9 @@ TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   };
   folder.write("b1.obj", twice(still));
   folder.write("b2.obj", twice([](glm::dvec3 p) { return p + glm::dvec3(0, 1, 0); }));
-  EXPECT_NE(refusal(folder, "b1.obj", 2).find("coincide in the first frame and part here"), std::string::npos)
-      << refusal(folder, "b1.obj", 2);
+  EXPECT_NE(refusal_of_frames(folder, "b1.obj", 2).find("coincide in the first frame and part here"),
+            std::string::npos)
+      << refusal_of_frames(folder, "b1.obj", 2);
 }
 
 // Small holes are filled, and the points of the faces that fill them come from the file. A part that the
@@ -136,8 +139,9 @@ TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
   };
   for (const int frame : {1, 2})
     folder.write(fmt::format("c{}.obj", frame), with_speck(torus([](glm::dvec3 p) { return p; })));
-  EXPECT_NE(refusal(folder, "c1.obj", 2).find("the preparation of this mesh moved"), std::string::npos)
-      << refusal(folder, "c1.obj", 2);
+  EXPECT_NE(refusal_of_frames(folder, "c1.obj", 2).find("the preparation of this mesh moved"),
+            std::string::npos)
+      << refusal_of_frames(folder, "c1.obj", 2);
 }
 
 }  // namespace

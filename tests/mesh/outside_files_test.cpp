@@ -23,7 +23,7 @@ std::string buffer(float size) {
   return bytes.append(reinterpret_cast<const char*>(faces), sizeof faces);
 }
 
-std::string gltf(const std::string& uri) {
+std::string gltf_with(const std::string& uri) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
 "buffers":[{"byteLength":72,"uri":")" +
@@ -33,19 +33,20 @@ std::string gltf(const std::string& uri) {
 {"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
 }
 
-std::string refusal(const std::string& file) {
+std::string refusal_of(const std::string& file) {
   return test::refusal([&] { load_model(file, fresh()); });
 }
 
 TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
   const TempFolder folder;
   folder.write("a b.bin", buffer(1));
-  EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf("a%20b.bin"))),
+  EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20b.bin"))),
             std::vector<fs::path>{folder.path / "a b.bin"});
   EXPECT_TRUE(
-      detail::gltf_files(folder.write("b.gltf", gltf("data:application/octet-stream;base64,AAAA"))).empty());
+      detail::gltf_files(folder.write("b.gltf", gltf_with("data:application/octet-stream;base64,AAAA")))
+          .empty());
   EXPECT_TRUE(detail::gltf_files(folder.write("c.gltf", "no JSON")).empty());
-  const std::string json = gltf("a%20b.bin");
+  const std::string json = gltf_with("a%20b.bin");
   std::string binary = "glTF" + std::string("\2\0\0\0\0\0\0\0", 8);
   const auto length = std::uint32_t(json.size());
   binary.append(reinterpret_cast<const char*>(&length), 4).append("JSON").append(json);
@@ -59,12 +60,12 @@ TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
   ASSERT_EQ(::mkfifo((folder.path / "pipe").c_str(), 0600), 0);
   for (const char* uri :
        {"/etc/passwd", "../outside.bin", "x/../../outside.bin", "%2e%2e/outside.bin", "file:///etc"}) {
-    const std::string text = refusal(folder.write("inner/a.gltf", gltf(uri)));
+    const std::string text = refusal_of(folder.write("inner/a.gltf", gltf_with(uri)));
     EXPECT_NE(text.find("it may refer only to files in its own folder"), std::string::npos)
         << uri << ": " << text;
   }
   for (const char* uri : {"pipe", "missing.bin", "inner"}) {
-    const std::string text = refusal(folder.write("a.gltf", gltf(uri)));
+    const std::string text = refusal_of(folder.write("a.gltf", gltf_with(uri)));
     EXPECT_NE(text.find("which does not exist or is not a regular file"), std::string::npos)
         << uri << ": " << text;
   }
@@ -75,7 +76,7 @@ TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
   const TempFolder folder;
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   folder.write("a.bin", buffer(1));
-  const std::string file = folder.write("a.gltf", gltf("a.bin"));
+  const std::string file = folder.write("a.gltf", gltf_with("a.bin"));
   const std::string before = load_model(file)->hash;
   EXPECT_EQ(load_model(file)->hash, before);
   folder.write("a.bin", buffer(2));

@@ -11,7 +11,7 @@
 namespace pelage {
 namespace {
 
-double coverage(const FurTexture& t, int layer, int x, int y) {
+double slice_coverage(const FurTexture& t, int layer, int x, int y) {
   const auto side = std::size_t(t.size);
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][0] / 255.0;
 }
@@ -39,7 +39,7 @@ TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
     for (int n = 0; n < fur.layers; ++n) {
       double most = 0;
       for (int y = 0; y < t.size; ++y)
-        for (int x = 0; x < t.size; ++x) most = std::max(most, coverage(t, n, x, y));
+        for (int x = 0; x < t.size; ++x) most = std::max(most, slice_coverage(t, n, x, y));
       const double share = std::clamp(length * fur.layers - n, 0.0, 1.0);
       EXPECT_NEAR(most, share, 0.003) << "seed " << seed << ", layer " << n << ", length " << length;
       partly += share > 0.1 && share < 0.9;

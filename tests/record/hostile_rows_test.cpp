@@ -34,12 +34,12 @@ std::string changed(const std::function<void(Json&)>& change) {
   return line_of(changed_text(change));
 }
 
-std::string refusal(const std::string& line) {
+std::string refusal_of_line(const std::string& line) {
   return test::refusal([&] { row_from_line(line); });
 }
 
 TEST(HostileRows, AnUnchangedRowIsAccepted) {
-  EXPECT_EQ(refusal(changed([](Json&) {})), "accepted");
+  EXPECT_EQ(refusal_of_line(changed([](Json&) {})), "accepted");
 }
 
 // A copy or a printout of a JSON value needs stack space for each level of nesting. A row with very deep
@@ -49,19 +49,20 @@ TEST(HostileRows, DeepNestingIsRefused) {
     return line_of(changed_text([](Json& row) { row.erase("provenance"); }) +
                    ",\"provenance\":{\"x\":" + std::string(depth, '[') + std::string(depth, ']') + "}");
   };
-  EXPECT_EQ(refusal(nested(10)), "accepted");
-  EXPECT_EQ(refusal(nested(100)), "the row contains values that are nested more than 32 deep");
-  EXPECT_EQ(refusal(nested(1'000'000)), "the row contains values that are nested more than 32 deep");
+  EXPECT_EQ(refusal_of_line(nested(10)), "accepted");
+  EXPECT_EQ(refusal_of_line(nested(100)), "the row contains values that are nested more than 32 deep");
+  EXPECT_EQ(refusal_of_line(nested(1'000'000)), "the row contains values that are nested more than 32 deep");
 }
 
 TEST(HostileRows, NumbersOutOfRangeAreRefused) {
   const char* const fields[] = {"repeat", "schema"};
   for (const char* field : fields)
     for (const Json& value : {Json(-1), Json(1e300), Json(0.5), Json(std::int64_t(1) << 40), Json("1")})
-      EXPECT_NE(refusal(changed([&](Json& row) { row[field] = value; })).find("in place of a whole number"),
-                std::string::npos)
+      EXPECT_NE(
+          refusal_of_line(changed([&](Json& row) { row[field] = value; })).find("in place of a whole number"),
+          std::string::npos)
           << field << " = " << value;
-  EXPECT_NE(refusal(changed([&](Json& row) {
+  EXPECT_NE(refusal_of_line(changed([&](Json& row) {
               row["tuning"] = {{"TILE_W", 1e300}};
             })).find("whole number"),
             std::string::npos);
@@ -70,14 +71,14 @@ TEST(HostileRows, NumbersOutOfRangeAreRefused) {
 // Commands read the keys below without checking the types of their values, so the parser of rows must check
 // these types.
 TEST(HostileRows, ProvenanceOfWrongTypesIsRefused) {
-  EXPECT_EQ(refusal(changed([](Json& row) { row["provenance"] = "x"; })),
+  EXPECT_EQ(refusal_of_line(changed([](Json& row) { row["provenance"] = "x"; })),
             "the provenance of the row is not an object");
   for (const char* key : {"host", "preset", "shard_deal", "title", "utc"})
-    EXPECT_EQ(refusal(changed([&](Json& row) { row["provenance"][key] = 1; })),
+    EXPECT_EQ(refusal_of_line(changed([&](Json& row) { row["provenance"][key] = 1; })),
               fmt::format("provenance.{} of the row is not a text", key));
-  EXPECT_EQ(refusal(changed([](Json& row) { row["provenance"]["converged"] = "yes"; })),
+  EXPECT_EQ(refusal_of_line(changed([](Json& row) { row["provenance"]["converged"] = "yes"; })),
             "provenance.converged of the row is not true or false");
-  EXPECT_EQ(refusal(changed([](Json& row) { row["provenance"]["other_cpu_share"] = "much"; })),
+  EXPECT_EQ(refusal_of_line(changed([](Json& row) { row["provenance"]["other_cpu_share"] = "much"; })),
             "provenance.other_cpu_share of the row is not a number");
 }
 

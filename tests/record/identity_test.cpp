@@ -18,7 +18,7 @@ using test::sample_row;
 using test::write_text;
 
 template <class F>
-std::string refusal(F&& call) {
+std::string refusal_of_call(F&& call) {
   return test::refusal([&] { call(); }, "");
 }
 
@@ -51,15 +51,16 @@ TEST(Identity, ARowKeepsItsIdentityAndItsSchema) {
   EXPECT_EQ(old.schema, 1);
   EXPECT_TRUE(old.identity.empty());
   row.schema = 4;
-  EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("schema 4"), std::string::npos);
+  EXPECT_NE(refusal_of_call([&] { row_from_line(to_line(row)); }).find("schema 4"), std::string::npos);
 }
 
 TEST(Identity, ARowThatContradictsItsChecksIsRefused) {
   Row row = sample_row("a");
   row.check.push_back({"reference", "flips", 0.5, 0.001, false});
-  EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("its check flips"), std::string::npos);
+  EXPECT_NE(refusal_of_call([&] { row_from_line(to_line(row)); }).find("its check flips"), std::string::npos);
   row.check.clear();
-  EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("nothing was checked"), std::string::npos);
+  EXPECT_NE(refusal_of_call([&] { row_from_line(to_line(row)); }).find("nothing was checked"),
+            std::string::npos);
 }
 
 // A row that a newer version of pelage wrote is not damaged. The error message must not advise the user to
@@ -69,7 +70,7 @@ TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
   Row row = sample_row("a");
   row.schema = 4;
   write_text(folder.path / "j.jsonl", to_line(row) + "\n");
-  const std::string text = refusal([&] { read_contents(folder.path / "j.jsonl").rows; });
+  const std::string text = refusal_of_call([&] { read_contents(folder.path / "j.jsonl"); });
   EXPECT_NE(text.find("j.jsonl:1: the row has schema 4"), std::string::npos) << text;
   EXPECT_EQ(text.find("delete"), std::string::npos) << text;
 }
@@ -88,7 +89,7 @@ TEST(Journal, AFailedCaseRunsAgain) {
     journal.append(failed);
     journal.append(sample_row("a"));
     EXPECT_TRUE(journal.holds(row_key(failed)));
-    EXPECT_NE(refusal([&] { journal.append(failed); }), "");
+    EXPECT_NE(refusal_of_call([&] { journal.append(failed); }), "");
   }
   const std::vector<Row> rows = read_contents(file).rows;
   ASSERT_EQ(rows.size(), 1u);
@@ -112,7 +113,7 @@ TEST(Results, TwoRowsOfOneMeasurementThatDifferAreRefused) {
   changed.samples["frame"].wall_ms.front() /= 2;
   write_text(one, to_line(sample_row("a")) + "\n");
   write_text(two, to_line(changed) + "\n");
-  const std::string text = refusal([&] { read_results({folder.path.string()}); });
+  const std::string text = refusal_of_call([&] { read_results({folder.path.string()}); });
   EXPECT_NE(text.find("one.jsonl"), std::string::npos) << text;
   EXPECT_NE(text.find("two.jsonl"), std::string::npos) << text;
 }

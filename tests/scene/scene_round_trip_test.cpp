@@ -194,7 +194,8 @@ TEST(SceneRoundTrip, TheHashFollowsTheValuesAndNotTheFolder) {
     for (int attempt = 0; attempt < 100 && difference(scene, plain).empty(); ++attempt) {
       vary(scene_keys(scene)[i], random);
     }
-    EXPECT_NE(scene_hash(scene), scene_hash(plain)) << scene_keys(scene)[i].name;
+    const std::string_view name = scene_keys(scene)[i].name;
+    EXPECT_EQ(scene_hash(scene) == scene_hash(plain), name == "pipeline") << name;
   }
 
   const fs::path a = fs::temp_directory_path() / "pelage-hash-a",

@@ -45,7 +45,7 @@ struct Tile {
   }
 };
 
-void blend(const FurFragment& over, glm::dvec4& colour) {
+void blend_over(const FurFragment& over, glm::dvec4& colour) {
   colour = over.coverage * glm::dvec4(over.colour, 1.0) + (1.0 - over.coverage) * colour;
 }
 
@@ -55,7 +55,7 @@ void blend_by_depth(Tile& tile) {
   for (std::size_t i = 0; i < tile.waiting.size(); ++i) {
     std::stable_sort(tile.waiting[i].begin(), tile.waiting[i].end(),
                      [](const FurFragment& a, const FurFragment& b) { return a.inverse_w < b.inverse_w; });
-    for (const FurFragment& fragment : tile.waiting[i]) blend(fragment, tile.colour[i]);
+    for (const FurFragment& fragment : tile.waiting[i]) blend_over(fragment, tile.colour[i]);
   }
 }
 
@@ -289,7 +289,7 @@ class Painter {
     if (by_depth(scene.blend))
       tile.waiting[at].push_back(drawn);
     else
-      blend(drawn, tile.colour[at]);
+      blend_over(drawn, tile.colour[at]);
   }
 
   /// Returns the clump's displacement for W Eq. 4.

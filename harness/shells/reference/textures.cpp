@@ -8,7 +8,7 @@ namespace pelage::reference {
 namespace {
 
 /// Returns i modulo side. i is a whole number.
-std::size_t wrapped(double i, int side) {
+std::size_t wrapped_index(double i, int side) {
   const double inside = i - double(side) * std::floor(i / double(side));
   return std::min(std::size_t(inside >= 0.0 ? inside : 0.0), std::size_t(side - 1));
 }
@@ -18,8 +18,8 @@ template <class Texel>
 auto bilinear(int side, const glm::dvec2& uv, const Texel& texel) {
   const double x = uv.x * double(side) - 0.5, y = uv.y * double(side) - 0.5;
   const double i = std::floor(x), j = std::floor(y), s = x - i, t = y - j;
-  const std::size_t i0 = wrapped(i, side), i1 = wrapped(i + 1.0, side);
-  const std::size_t j0 = wrapped(j, side), j1 = wrapped(j + 1.0, side);
+  const std::size_t i0 = wrapped_index(i, side), i1 = wrapped_index(i + 1.0, side);
+  const std::size_t j0 = wrapped_index(j, side), j1 = wrapped_index(j + 1.0, side);
   return (1.0 - t) * ((1.0 - s) * texel(j0, i0) + s * texel(j0, i1)) +
          t * ((1.0 - s) * texel(j1, i0) + s * texel(j1, i1));
 }

@@ -62,8 +62,8 @@ std::vector<std::uint32_t> spread(const SpringNetwork& topology, std::size_t cou
   return found;
 }
 
-reference::State moved(const SpringNetwork& topology, const DynamicsScene& scene,
-                       std::vector<glm::dvec3> push, int frames) {
+reference::State moved_sticks(const SpringNetwork& topology, const DynamicsScene& scene,
+                              std::vector<glm::dvec3> push, int frames) {
   if (scene.tolerance > 0)
     throw InputError(fmt::format(
         "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons "
@@ -87,7 +87,7 @@ SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_
   if (!push.empty())
     for (const std::uint32_t stick : some.stick) own.emplace_back(push[stick]);
   const SpringNetwork part = part_of(topology, some.stick);
-  const reference::State state = moved(part, input.scene.dynamics, std::move(own), frames);
+  const reference::State state = moved_sticks(part, input.scene.dynamics, std::move(own), frames);
   some.offset = reference::offsets(part, state);
   for (std::size_t i = 0; i < part.sticks(); ++i) some.velocity.push_back(state.velocity[part.top(i)]);
   return some;

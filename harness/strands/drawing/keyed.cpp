@@ -19,7 +19,7 @@ void require(bool valid, std::size_t strand, const char* what, float value, cons
   if (!valid) throw InputError(fmt::format("strand {}: {} {}; it must be {}", strand, what, value, range));
 }
 
-void check(const KeyedStrand& s, std::size_t number, std::size_t keys) {
+void check_keyed(const KeyedStrand& s, std::size_t number, std::size_t keys) {
   for (const std::uint32_t key : s.key)
     if (key >= keys)
       throw InputError(fmt::format("strand {}: key strand {}; there are {} key strands", number, key, keys));
@@ -81,7 +81,7 @@ std::vector<float> keyed_columns(const std::vector<KeyedStrand>& strands, std::s
   std::vector<float> table(slices * slice * DRAWN_COLUMNS, 0.0f);  // unused places refer to key strand 0
   for (std::size_t i = 0; i < strands.size(); ++i) {
     const KeyedStrand& s = strands[i];
-    check(s, i, keys);
+    check_keyed(s, i, keys);
     const auto set = [&](int column, float value) {
       table[(i / slice * DRAWN_COLUMNS + std::size_t(column)) * slice + i % slice] = value;
     };

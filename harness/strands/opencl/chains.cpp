@@ -11,7 +11,7 @@
 namespace pelage::strands {
 namespace {
 
-int lanes_of(const cl::Queue& queue, int wanted) {
+int chain_lanes(const cl::Queue& queue, int wanted) {
   if (wanted != 0 && wanted != 1 && wanted != 16)
     throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", wanted));
   return wanted != 0 ? wanted : queue.device().info().lanes;
@@ -48,7 +48,7 @@ Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const C
     : strands_(chains.size()),
       dynamics_(dynamics),
       params_((check(dynamics), params(dynamics))),
-      lanes_(lanes_of(queue, options.lanes)),
+      lanes_(chain_lanes(queue, options.lanes)),
       program_(queue.device(), chain_text(dynamics, lanes_, false)),
       key_program_(queue.device(), chain_keys_text(lanes_)),
       frame_(program_, "chain_frame"),

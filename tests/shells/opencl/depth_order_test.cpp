@@ -28,7 +28,7 @@ std::shared_ptr<const FrameInput> torus(const char* faces, float density = 1, co
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 36, 24, 60));
 }
 
-void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
+void expect_agreement_of(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
   EXPECT_GT(agreement.pixels, least_pixels);
@@ -41,9 +41,9 @@ TEST_P(DepthOrder, LooksLikeTheReference) {
   const auto [faces, density] = GetParam();
   const auto input = torus(faces, density);
   const Picture expected = drawn_by_reference(*input), drawn = drawn_by_device(input, "tile");
-  expect_same(expected, drawn, 3000);
+  expect_agreement_of(expected, drawn, 3000);
   EXPECT_TRUE(same_bits(drawn, drawn_by_device(input, "group")));
-  expect_same(expected, drawn_by_device(input, "pixel"), 3000);
+  expect_agreement_of(expected, drawn_by_device(input, "pixel"), 3000);
   EXPECT_GT(change(drawn, drawn_by_device(torus(faces, density, "layer"), "tile")).most, 0.01);
 }
 

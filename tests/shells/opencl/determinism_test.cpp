@@ -18,8 +18,8 @@ using namespace pictures;
 // The value of each tuning axis (a compile-time option of the kernels), by the name of the axis.
 using Tuning = std::map<std::string, int>;
 
-Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
-              const Tuning& tuning) {
+Picture drawn_with(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
+                   const Tuning& tuning) {
   Shells shells(device(), input, {mapping, tuning});
   shells.advance(frames - 1);
   shells.frame();
@@ -28,8 +28,9 @@ Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string&
 
 TEST(Determinism, TwentyRunsAreOnePicture) {
   const auto input = small_frame("curling");
-  const Picture first = drawn(input, "tile", {});
-  for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn(input, "tile", {}))) << "run " << run;
+  const Picture first = drawn_with(input, "tile", {});
+  for (int run = 1; run < 20; ++run)
+    EXPECT_TRUE(same_bits(first, drawn_with(input, "tile", {}))) << "run " << run;
 }
 
 struct TilesAndGroups : testing::TestWithParam<Tuning> {};
@@ -37,7 +38,7 @@ struct TilesAndGroups : testing::TestWithParam<Tuning> {};
 TEST_P(TilesAndGroups, OfAnySizeAreOnePicture) {
   for (const char* shading : {"curling", "wet"}) {
     const auto input = small_frame(shading);
-    EXPECT_TRUE(same_bits(drawn(input, "tile", {}), drawn(input, "tile", GetParam()))) << shading;
+    EXPECT_TRUE(same_bits(drawn_with(input, "tile", {}), drawn_with(input, "tile", GetParam()))) << shading;
   }
 }
 
@@ -111,12 +112,13 @@ TEST(Determinism, TheFirstPictureEqualsTheNext) {
 }
 
 TEST(Determinism, AnotherSceneIsAnotherPicture) {
-  EXPECT_FALSE(same_bits(drawn(small_frame("curling"), "tile", {}), drawn(small_frame("wet"), "tile", {})));
+  EXPECT_FALSE(
+      same_bits(drawn_with(small_frame("curling"), "tile", {}), drawn_with(small_frame("wet"), "tile", {})));
 }
 
 TEST(Determinism, MappingsAgree) {
   const auto input = small_frame("curling");
-  const Picture tile = drawn(input, "tile", {}), pixel = drawn(input, "pixel", {});
+  const Picture tile = drawn_with(input, "tile", {}), pixel = drawn_with(input, "pixel", {});
   const Agreement agreement = compare(tile, pixel);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
   // Alpha is 0 in pixels without base surface and fur. The mappings `tile` and `pixel` must set alpha to 0 in

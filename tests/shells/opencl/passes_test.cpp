@@ -31,7 +31,8 @@ struct Drawn {
   Tally tally;
 };
 
-Drawn drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, int layers_at_once) {
+Drawn drawn_in_passes(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
+                      int layers_at_once) {
   Shells shells(device(), input, {mapping, {}, layers_at_once});
   shells.frame();
   Drawn d;
@@ -51,14 +52,14 @@ Drawn drawn(const std::shared_ptr<const FrameInput>& input, const std::string& m
 struct Passes : testing::TestWithParam<const char*> {};
 
 void expect_parts_of_one_picture(const std::shared_ptr<const FrameInput>& input, const char* mapping) {
-  const Drawn whole = drawn(input, mapping, layers);
+  const Drawn whole = drawn_in_passes(input, mapping, layers);
   EXPECT_GT(whole.tally.blended, 1000u);
   // The 16 layers are drawn with at most 7, 3 or 1 layers per pass. pelage rounds 7 down to 4, the size of a
   // layer batch. With 3 layers per pass, a pass has fewer layers than a layer batch, and the sixth pass has
   // only one layer.
   for (const int at_once : {7, 3, 1}) {
     SCOPED_TRACE(at_once);
-    const Drawn parts = drawn(input, mapping, at_once);
+    const Drawn parts = drawn_in_passes(input, mapping, at_once);
     EXPECT_TRUE(same_bits(parts.picture, whole.picture));
     EXPECT_TRUE(same_bits(parts.after, whole.after));
     EXPECT_EQ(parts.counted, whole.counted);

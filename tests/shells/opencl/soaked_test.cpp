@@ -32,7 +32,7 @@ FrameInput wet_torus(float threshold) {
   return synthetic::frame(scene, synthetic::torus(), 60, 36, 400);
 }
 
-Picture drawn(FrameInput& input, float wetness) {
+Picture drawn_soaked(FrameInput& input, float wetness) {
   for (Droplet& drop : input.droplets) drop.wetness = wetness;
   return drawn_by_device(std::make_shared<FrameInput>(input), "tile");
 }
@@ -40,9 +40,9 @@ Picture drawn(FrameInput& input, float wetness) {
 /// Returns the greatest changes between the pictures of adjacent wetnesses from 0.2 to 1, in steps of 0.01.
 Change greatest_change(FrameInput& input) {
   Change greatest;
-  Picture before = drawn(input, 0.2f);
+  Picture before = drawn_soaked(input, 0.2f);
   for (int i = 21; i <= 100; ++i) {
-    const Picture now = drawn(input, float(i) / 100);
+    const Picture now = drawn_soaked(input, float(i) / 100);
     const Change c = change(before, now);
     greatest.most = std::max(greatest.most, c.most);
     greatest.mean = std::max(greatest.mean, c.mean);
@@ -60,7 +60,8 @@ TEST(Soaked, TheChangePerStepOfWetnessIsSmall) {
   EXPECT_LT(greatest.mean, 0.005);  // as docs/shells.md, section 11, says
   EXPECT_LT(greatest.most, 0.3);
   for (const double low : {0.2, 0.3, 0.5, 0.7, 0.92}) {
-    const Picture first = drawn(input, float(low)), last = drawn(input, float(low + 0.01 / 400));
+    const Picture first = drawn_soaked(input, float(low)),
+                  last = drawn_soaked(input, float(low + 0.01 / 400));
     EXPECT_LT(change(first, last).mean, 0.02 * greatest.mean);
   }
 }
@@ -83,10 +84,11 @@ std::vector<std::size_t> most_different(const Picture& a, const Picture& b, std:
 /// Searches the interval of wetness from `low` to `high` for a jump of a pixel: halves the interval `levels`
 /// times and keeps the half in which the pixel changes more. Returns the pixel's change in the last interval.
 float change_in_the_limit(FrameInput& input, std::size_t pixel, double low, double high, int levels) {
-  glm::vec4 first = drawn(input, float(low)).pixel[pixel], last = drawn(input, float(high)).pixel[pixel];
+  glm::vec4 first = drawn_soaked(input, float(low)).pixel[pixel],
+            last = drawn_soaked(input, float(high)).pixel[pixel];
   for (int i = 0; i < levels; ++i) {
     const double middle = 0.5 * (low + high);
-    const glm::vec4 between = drawn(input, float(middle)).pixel[pixel];
+    const glm::vec4 between = drawn_soaked(input, float(middle)).pixel[pixel];
     const bool lower = difference(first, between) > difference(between, last);
     (lower ? high : low) = middle;
     (lower ? last : first) = between;
@@ -101,7 +103,7 @@ TEST(Soaked, EveryPixelIsContinuousInTheWetness) {
   float greatest = 0, jump = 0;
   for (const double low : {0.3, 0.52, 0.76, 0.92, 0.98}) {
     const double high = low + 0.01;
-    const Picture first = drawn(input, float(low)), last = drawn(input, float(high));
+    const Picture first = drawn_soaked(input, float(low)), last = drawn_soaked(input, float(high));
     for (const std::size_t pixel : most_different(first, last, 3)) {
       greatest = std::max(greatest, difference(first.pixel[pixel], last.pixel[pixel]));
       jump = std::max(jump, change_in_the_limit(input, pixel, low, high, 10));
@@ -117,7 +119,7 @@ TEST(Soaked, BelowTheThresholdNothingChanges) {
   FrameInput soaked = wet_torus(0.6f), plain = wet_torus(1);
   for (FrameInput* input : {&soaked, &plain})
     input->droplets.resize(1);  // overlapping droplets would be wetter
-  const Picture a = drawn(soaked, 0.6f), b = drawn(plain, 0.6f);
+  const Picture a = drawn_soaked(soaked, 0.6f), b = drawn_soaked(plain, 0.6f);
   EXPECT_EQ(std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]), 0);
 }
 
@@ -144,7 +146,7 @@ double highlight(const Picture& p) {
 // W, section 6: overly wet fur forms a smooth surface with a high specular reflection.
 TEST(Soaked, SoakedFurIsSmoothAndBright) {
   FrameInput soaked = wet_torus(0.5f), plain = wet_torus(1);
-  const Picture film = drawn(soaked, 1), clumps = drawn(plain, 1);
+  const Picture film = drawn_soaked(soaked, 1), clumps = drawn_soaked(plain, 1);
   RecordProperty("roughness", fmt::format("{:.4f} instead of {:.4f}", roughness(film), roughness(clumps)));
   EXPECT_LT(roughness(film), 0.6 * roughness(clumps));
   RecordProperty("highlight", fmt::format("{:.4f} instead of {:.4f}", highlight(film), highlight(clumps)));

@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 
 // Returns the dynamics of experiments/banisch2006-longest-step.toml with the spring constant k = 10 N/m.
-Dynamics windy(Solver solver) {
+Dynamics windy_with(Solver solver) {
   Dynamics d;
   d.solver = solver;
   d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 1};
@@ -46,7 +46,7 @@ TEST(LongestStep, DoesNotDependOnTheInterval) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind& kind : {Kind::sticks, Kind::prisms, Kind::separable_prisms}) {
     const SpringNetwork topology = build(kind, *mesh, fur_length);
-    const Dynamics d = windy(Solver::backward_euler);
+    const Dynamics d = windy_with(Solver::backward_euler);
     const Limit usual = longest_step(queue(), topology, d),
                 half = longest_step(queue(), topology, d, 1.0 / 120),
                 twice = longest_step(queue(), topology, d, 1.0 / 30),
@@ -74,7 +74,7 @@ TEST(LongestStep, IsTheOneOfTheReference) {
   for (const Kind& kind : {Kind::sticks, Kind::prisms})
     for (const Solver& solver : {Solver::explicit_euler, Solver::backward_euler}) {
       const SpringNetwork topology = build(kind, mesh, fur_length);
-      const Dynamics d = windy(solver);
+      const Dynamics d = windy_with(solver);
       const Limit found = longest_step(queue(), topology, d);
       EXPECT_LT(longest_by_the_reference(topology, d, 0.97 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
@@ -86,7 +86,7 @@ TEST(LongestStep, IsTheOneOfTheReference) {
 
 TEST(LongestStep, IsZeroIfNoStepSuffices) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
-  Dynamics d = windy(Solver::semi_implicit_euler);
+  Dynamics d = windy_with(Solver::semi_implicit_euler);
   d.wind.speed = 1000;  // this wind stretches every stick to many rest lengths
   EXPECT_EQ(longest_step(queue(), topology, d).step, 0);
 }

@@ -16,7 +16,7 @@
 namespace pelage::strands {
 namespace {
 
-DrawingScene scene_of(Shadow reading, float fraction = 1) {
+DrawingScene shadow_scene(Shadow reading, float fraction = 1) {
   DrawingScene scene;
   scene.camera = camera_at(200, 150);
   scene.range = depth_range(scene.camera, 1 + longest);
@@ -85,17 +85,17 @@ void expect_reference_and_map(const DrawingScene& scene, const Ball& ball,
 
 TEST(StrandShadow, MapAndPictureAreThoseOfTheReference) {
   for (const Shadow reading : {Shadow::linear, Shadow::exponential})
-    expect_reference_and_map(scene_of(reading), Ball(3000));
+    expect_reference_and_map(shadow_scene(reading), Ball(3000));
 }
 
 TEST(StrandShadow, TheMappingForGpusAgreesWithTheReference) {
   DrawerOptions options;
   options.mapping = Drawing::group;
-  expect_reference_and_map(scene_of(Shadow::exponential), Ball(2000, 2), options);
+  expect_reference_and_map(shadow_scene(Shadow::exponential), Ball(2000, 2), options);
 }
 
 TEST(StrandShadow, AllLightsAgreeWithTheReference) {
-  DrawingScene scene = scene_of(Shadow::exponential, 0.6f);
+  DrawingScene scene = shadow_scene(Shadow::exponential, 0.6f);
   scene.look.fills = {{{1, 0.2f, 0.3f}, {0.5f, 0.2f, 0.1f}}};
   scene.look.rim = {0.5f, 0.4f, 0.3f};
   scene.look.skin_shadow = 0.7f;
@@ -106,7 +106,7 @@ TEST(StrandShadow, AllLightsAgreeWithTheReference) {
 }
 
 TEST(StrandShadow, OnlyTheKeyLightIsShadowed) {
-  DrawingScene scene = scene_of(Shadow::exponential);
+  DrawingScene scene = shadow_scene(Shadow::exponential);
   scene.look.light = {0.2f, 0.5f, -1};  // from behind
   const Ball ball(4000);
   scene.look.intensity = 0;
@@ -128,7 +128,7 @@ TEST(StrandShadow, OnlyTheKeyLightIsShadowed) {
 
 TEST(StrandShadow, BitsDoNotDependOnTheDivisionOfTheWork) {
   const Ball ball(5001);
-  const DrawingScene scene = scene_of(Shadow::linear);
+  const DrawingScene scene = shadow_scene(Shadow::linear);
   const Shadowed first = draw_with_map(scene, ball);
   for (const DrawerOptions& options :
        {DrawerOptions{}, DrawerOptions{.mapping = Drawing::item, .lanes = 1},
@@ -144,11 +144,11 @@ TEST(StrandShadow, BitsDoNotDependOnTheDivisionOfTheWork) {
 
 TEST(StrandShadow, AViewThatChangesGivesThePictureOfANewDrawer) {
   const Ball ball(2000);
-  Drawer drawer(test::queue(), scene_of(Shadow::exponential), ball.strands, ball.keys.size());
+  Drawer drawer(test::queue(), shadow_scene(Shadow::exponential), ball.strands, ball.keys.size());
   const std::vector<float> records = key_records(ball.keys);
   drawer.keys().write(test::queue(), records);
   for (const float fraction : {0.3f, 1.0f, 0.8f}) {
-    DrawingScene scene = scene_of(Shadow::exponential, fraction);
+    DrawingScene scene = shadow_scene(Shadow::exponential, fraction);
     scene.camera = camera_at(200, 150, {-0.7f, 1, 3 + fraction});
     scene.range = depth_range(scene.camera, 1 + longest);
     scene.look.light = {fraction, 1, 0.2f};
@@ -162,7 +162,7 @@ TEST(StrandShadow, AViewThatChangesGivesThePictureOfANewDrawer) {
 
 TEST(StrandShadow, WrongValuesAreRefused) {
   const auto refused = [](const ShadowLook& shadow) {
-    DrawingScene scene = scene_of(Shadow::linear);
+    DrawingScene scene = shadow_scene(Shadow::linear);
     scene.look.shadow = shadow;
     EXPECT_THROW(check(scene.look), InputError);
   };
@@ -171,9 +171,9 @@ TEST(StrandShadow, WrongValuesAreRefused) {
   refused({Shadow::exponential, 512, 0, 1});
   refused({Shadow::exponential, 512, 0.1f, std::nanf("")});
   const Ball ball(20);
-  Drawer drawer(test::queue(), scene_of(Shadow::linear), ball.strands, ball.keys.size());
-  EXPECT_THROW(drawer.set_view(scene_of(Shadow::exponential)), InputError);
-  DrawingScene larger = scene_of(Shadow::linear);
+  Drawer drawer(test::queue(), shadow_scene(Shadow::linear), ball.strands, ball.keys.size());
+  EXPECT_THROW(drawer.set_view(shadow_scene(Shadow::exponential)), InputError);
+  DrawingScene larger = shadow_scene(Shadow::linear);
   larger.look.shadow.size = 200;
   EXPECT_THROW(drawer.set_view(larger), InputError);
 }

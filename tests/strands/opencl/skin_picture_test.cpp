@@ -17,7 +17,7 @@ std::shared_ptr<const Mesh> torus() {
 }
 
 /// A torus with short strands and all kinds of light.
-Scene scene_of(int strands) {
+Scene scene_with(int strands) {
   Scene scene;
   scene.model = "torus";
   scene.image.width = 210;
@@ -62,12 +62,12 @@ TEST(SkinPicture, IsThatOfTheReference) {
   for (const Drawing mapping : {Drawing::item, Drawing::group}) {
     DrawerOptions options;
     options.mapping = mapping;
-    expect_agreement(draw(scene_of(3000), options));
+    expect_agreement(draw(scene_with(3000), options));
   }
 }
 
 TEST(SkinPicture, WithFewLightsIsThatOfTheReference) {
-  Scene scene = scene_of(500);
+  Scene scene = scene_with(500);
   scene.strands.rim = glm::vec3(0);
   scene.strands.skin_shadow = 0;
   scene.strands.shadow = "none";
@@ -76,7 +76,7 @@ TEST(SkinPicture, WithFewLightsIsThatOfTheReference) {
 }
 
 TEST(SkinPicture, InsideTheObjectIsThatOfTheReference) {
-  Scene scene = scene_of(2000);
+  Scene scene = scene_with(2000);
   scene.camera.framed = false;
   scene.camera.eye = {0.62f, 0.1f, 0.1f};  // triangles cross the near plane
   scene.camera.target = {0, 0, 0.7f};
@@ -84,7 +84,7 @@ TEST(SkinPicture, InsideTheObjectIsThatOfTheReference) {
 }
 
 TEST(SkinPicture, HidesStrandsAndIsOpaque) {
-  Scene scene = scene_of(300);
+  Scene scene = scene_with(300);
   const OnSkin with = draw(scene);
   scene.strands.skin = false;
   const OnSkin without = draw(scene);
@@ -97,7 +97,7 @@ TEST(SkinPicture, HidesStrandsAndIsOpaque) {
 }
 
 TEST(SkinPicture, HasEqualBitsInEveryRunAndDivision) {
-  const Scene scene = scene_of(3000);
+  const Scene scene = scene_with(3000);
   const Picture first = draw(scene).picture;
   for (const int chunks : {1, 7, 64}) {
     DrawerOptions options;
@@ -109,7 +109,7 @@ TEST(SkinPicture, HasEqualBitsInEveryRunAndDivision) {
 // A frame after another camera must not keep blocks of the picture before it.
 TEST(SkinPicture, FollowsTheCamera) {
   const cl::Queue queue(cl::choose_device(""));
-  Scene scene = scene_of(400);
+  Scene scene = scene_with(400);
   const auto near = prepare_strands(scene, torus());
   scene.camera.framed = false;
   scene.camera.eye = {2.8f, 2.5f, 5.0f};

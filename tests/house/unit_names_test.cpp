@@ -1,0 +1,59 @@
+// Up to 16 files of a folder are compiled as one unit (docs/code.md), so the functions of their anonymous
+// namespaces are one set of overloads. If two files had functions of the same name, a call could select the
+// function of the other file without a word. The names must therefore differ.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "tests/house/rules.hpp"
+#include "tests/support/files.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Returns the names of the functions in the anonymous namespaces of a source text. clang-format puts the
+/// definitions of a namespace at the start of a line.
+std::set<std::string> anonymous_functions(const std::string& text) {
+  static const std::regex definition(
+      R"(^(?!return|using|struct|class|TEST|INSTANTIATE|static_assert)[A-Za-z_][\w:<>,&*\s\[\]]*[\s&*](\w+)\()");
+  std::set<std::string> names;
+  std::istringstream lines(text);
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "namespace {") inside = true;
+    if (line == "}  // namespace") inside = false;
+    std::smatch found;
+    if (inside && std::regex_search(line, found, definition)) names.insert(found[1]);
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST(House, NoTwoFilesOfAFolderHaveAnonymousFunctionsOfTheSameName) {
+  std::map<std::string, std::string> file_of;  // folder and name -> file
+  for (const char* top : {"harness", "tests"})
+    for (const auto& entry : fs::recursive_directory_iterator(pelage::house::root / top)) {
+      if (entry.path().extension() != ".cpp") continue;
+      const std::string file = entry.path().lexically_relative(pelage::house::root).generic_string();
+      for (const std::string& name : anonymous_functions(pelage::test::text_of(entry.path()))) {
+        const auto [place, added] =
+            file_of.try_emplace(fs::path(file).parent_path().string() + " " + name, file);
+        EXPECT_TRUE(added) << file << ": " << place->second << " also has a function " << name
+                           << "() in its anonymous namespace; name one of them otherwise";
+      }
+    }
+  EXPECT_GT(file_of.size(), 1000u);
+}
+
+TEST(House, PlantedAnonymousFunctionsAreFound) {
+  EXPECT_EQ(anonymous_functions(
+                "int outside(int a) {\nnamespace {\n\ntemplate <class T>\n"
+                "const std::map<int, T>& of(T a) {\n  call(a);\n  return found(a);\n}\n"
+                "std::string* two(int a,\n                  int b) {\n}  // namespace\nint after(int a) {\n"),
+            (std::set<std::string>{"of", "two"}));
+}
