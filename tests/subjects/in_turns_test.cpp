@@ -1,6 +1,6 @@
 // Tests the subjects that draw several pictures in turns in every round: a case without the settings of its
-// named axes, fewer layers, and an OpenGL baseline. Ratios are medians over the rounds. If one of the pictures
-// fails its check, the row fails.
+// named axes, fewer layers, and an OpenGL baseline. Ratios are medians over the rounds. If one of the
+// pictures fails its check, the row fails.
 #include "harness/subjects/in_turns.hpp"
 
 #include <gtest/gtest.h>
