@@ -43,9 +43,8 @@ def build_shim(folder):
 
 
 def run_cell(trees, shim, scratch, order, cell, place):
-    """Runs the three processes of one cell at the same time. `order` contains their names: "old", "new", and
-    "control", which is a second process of the old build. The process NAME writes its results to the folder
-    `place`-NAME."""
+    """Runs the three processes of one cell, in the order of their names `order`, at the same time. The process NAME
+    writes its results to the folder `place`-NAME."""
     model, layers, size = cell
     shared = scratch / "shared"
     shared.write_bytes(bytes(64))
@@ -73,9 +72,8 @@ def frame_ms(folder):
 
 
 def rank_of_interval(n):
-    """Returns the rank r of a confidence interval for the median of a distribution. The interval reaches from the r-th
-    smallest to the r-th largest of n samples of the distribution. r is the largest rank at which the interval contains
-    the median with a probability of at least 95%, or 1 if there is no such rank."""
+    """Returns the largest r for which the interval from the r-th smallest to the r-th largest of n samples contains the
+    median of the distribution with a probability of at least 95%, or 1."""
     below, rank = 0.0, 1
     for r in range(1, n // 2 + 1):
         below += math.comb(n, r - 1) / 2**n

@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
-# Builds the fuzz targets of tests/fuzz with clang and runs each target for SECONDS, two targets at a time. For each
-# target, prints the number of executions and whether there is a finding (an input that causes an error). The exit code
-# is 1 if there is a finding. The inputs of findings are in build/fuzz/findings. If such an input is copied to
-# tests/fuzz/corpus/TARGET, the tests run the target with it. The fuzzer does not start from the inputs slow-*, because
-# one execution of them takes seconds.
+# Builds the fuzz targets of tests/fuzz with clang, runs each for SECONDS, and prints the number of executions and of
+# findings (inputs that cause an error, in build/fuzz/findings), with which the exit code is 1. The tests run the inputs
+# in tests/fuzz/corpus/TARGET. The fuzzer does not start from the inputs slow-*, whose execution takes seconds.
 #
 # Usage: scripts/fuzz.sh SECONDS [TARGET...]
 #   PELAGE_FUZZ_JOBS=N: runs N targets at a time (default 2)

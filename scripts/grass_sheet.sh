@@ -3,13 +3,9 @@
 # docs/look/banisch2006.jpg. Each picture has 400 x 300 pixels.
 #
 #   Figure 2: (a) structure, (b) colour, (c) self-shadow, (d) diffuse shading.
-#
 #   Figure 6: (a) linear and (b) bent layers, after 2 s of simulation.
-#
 #   Figure 7: (a) without the return force, after 2 s of simulation; (b) with the return force, after 3 s.
-#
 #   Figure 8: (a) elephant, (b) dog, (c) grass. Figure 12: parted grass.
-#
 #   Figure 13: waving grass in steps of 0.2 s.
 #
 # The script also draws Figures 3 to 5 (the mass-spring topologies on the square model banisch-grass) as
@@ -53,6 +49,6 @@ for time in 0.2 0.4 0.6 0.8 1.0 1.2 1.4 1.6; do
 done
 
 # shellcheck disable=SC2046
-oiiotool $(printf "$pictures/%s.png " 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20) --mosaic 4x5 \
+oiiotool $(printf "$pictures/%s.png " $(seq -w 20)) --mosaic 4x5 \
   --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/banisch2006.jpg
 "$pelage" topology banisch-grass --length 0.4 --draw docs/look/topologies.svg >/dev/null

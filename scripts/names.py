@@ -1,11 +1,9 @@
 #!/usr/bin/env python3
 """Counts the code lines in harness/ and bench/ that refer to a mapping, pipeline, solver, topology or shading model.
 
-A mapping is a way to distribute the work of the fur pipeline over work-items (docs/code.md). Each mapping, pipeline,
-solver, topology and shading model is an item. All items of one kind (for example, all mappings) are a family. A line
-refers to an item if the line contains the item's name as a string, or if it contains the item's C++ enumerator, class
-or factory function. The script does not count lines in the files that implement the item. It also does not count lines
-in the files that contain the table of all items of the family.
+Each of these is an item, and all items of one kind are a family. A line refers to an item if it contains the item's name
+as a string, or the item's C++ enumerator, class or factory function. Lines in the files that implement the item, or that
+contain the table of the family, do not count.
 
 The exit status is 1 if the script counts more than two lines for an item. The option -v prints the lines.
 """
@@ -17,12 +15,9 @@ ROOT = Path(__file__).resolve().parent.parent
 MOST = 2
 
 # Each family is a tuple of three values:
-# - the files that contain the table of all items of the family (for example, of all mappings);
-# - a dictionary, whose keys are the names of the items. The value of a name is a pair. Its first element is a pattern
-#   that matches the enumerator, the class or the factory function of the item. Its second element is the list of the
-#   files that implement the item;
-# - a pattern, or None. In lines that match this pattern, the name of an item has another meaning. These lines are
-#   not counted.
+# - the files that contain the table of all items of the family;
+# - the name of each item -> a pattern of its enumerator, class or factory function, and the files that implement it;
+# - a pattern of lines in which the name of an item has another meaning, or None.
 FAMILIES = {
     "mapping": (["harness/shells/opencl/mappings.cpp", "harness/cl/mapping_names.hpp"], {
         "tile": (r"shells/tile\"|tile_mapping\b|TileMapping", ["harness/shells/opencl/tile_mapping.cpp"]),
@@ -32,7 +27,7 @@ FAMILIES = {
     "pipeline": (["harness/subjects/pipelines.cpp", "harness/scene/pipelines.cpp", "harness/system/shells/system.cpp",
                   "harness/system/strands/system.cpp", "harness/system/table.cpp"], {
         "shells": (r"shells_system\b", ["harness/system/shells"]),
-        "shells+fewer": (r"fewer_layers\(", ["harness/subjects/fewer_layers"]),
+        "shells+fewer": (r"fewer_layers\(", ["harness/subjects/in_turns"]),
         "opengl": (r"shells::open_opengl\b", ["harness/system/shells"]),
         "shells+opengl": (r"shells_against_opengl", []),
         "strands": (r"strands_system\b", ["harness/system/strands"]),

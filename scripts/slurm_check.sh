@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # Tests experiments/slurm with a real Slurm on this machine: scripts/slurm_check.sh FOLDER. The script runs 16 cases in
-# an array of 4 tasks. The script kills one task and requeues it. Then the script deletes the results of another task
-# and submits that task again. At the end it merges the results of all tasks, and compares the rows with the rows of a
-# single run. FOLDER must be empty or new. The exit code is 77 if Slurm is not installed. The environment variable
-# PELAGE selects a binary other than build/release/pelage.
+# an array of 4 tasks, kills one task and requeues it, deletes the results of another task and submits it again, merges
+# the results of all tasks, and compares the rows with those of a single run. FOLDER must be empty or new. The exit code
+# is 77 if Slurm is not installed. The environment variable PELAGE can name another pelage program.
 set -euo pipefail
 (($# == 1)) || { sed -n '2s/^# *//p' "$0" >&2; exit 2; }
 mkdir -p "$1"

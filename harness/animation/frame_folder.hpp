@@ -28,9 +28,9 @@ void check_frame_folder(const std::filesystem::path& folder, bool resume);
 
 class FrameFolder {
  public:
-  /// Creates the folder, or opens it to continue an animation. Removes incomplete files that a killed process
-  /// left. Throws InputError like check_frame_folder(). Also throws InputError if the frames in the folder
-  /// have another origin, or if another process writes to the folder.
+  /// Creates the folder, or opens it to continue an animation, without incomplete files of a killed process.
+  /// Throws InputError like check_frame_folder(), if the frames in the folder have another origin, or if
+  /// another process writes to the folder.
   FrameFolder(std::filesystem::path folder, const FrameOrigin& origin, bool resume);
   ~FrameFolder();
   FrameFolder(const FrameFolder&) = delete;
@@ -38,8 +38,8 @@ class FrameFolder {
 
   /// True if the frame was recorded and its file still has the recorded content.
   bool holds(int frame) const;
-  /// Writes the picture and then records it. The file of the frame appears complete or not at all. Throws
-  /// InputError if a file cannot be written.
+  /// Writes the picture (completely or not at all) and then records it. Throws InputError if a file cannot be
+  /// written.
   void write(int frame, const Picture& picture);
 
  private:

@@ -26,8 +26,8 @@ struct FrameTimes {
 };
 
 /// Returns the times that the options choose. Without an end, the last frame is at the time of the scene's
-/// last keyframe; keyframes of dynamics.time do not count. Throws InputError if an option is out of range, if
-/// both ends are given, or if neither an option nor a keyframe gives the end.
+/// last keyframe, apart from keyframes of dynamics.time. Throws InputError if an option is out of range, if
+/// both ends are given, or if there is no end.
 FrameTimes frame_times(const TimeOptions& options, const Scene& scene);
 
 /// Throws InputError if the scene is not valid at the time of a frame, or if the frames have different sizes.

@@ -27,9 +27,12 @@ std::optional<Size> size_from_text(std::string_view text) {
   return Size{*width, *height};
 }
 
+std::optional<double> double_of(std::string_view text) {
+  return whole_text<double>(text);
+}
+
 std::optional<double> number_of(std::string_view text) {
-  if (const std::optional<double> number = whole_text<double>(text); number && std::isfinite(*number))
-    return number;
+  if (const std::optional<double> number = double_of(text); number && std::isfinite(*number)) return number;
   if (const std::optional<Size> size = size_from_text(text)) return double(size->width) * size->height;
   return {};
 }

@@ -13,8 +13,11 @@ struct Size {
 /// other texts.
 std::optional<Size> size_from_text(std::string_view text);
 
-/// Returns the value of a text that is a decimal number. For a picture size, returns the number of pixels.
-/// Returns nothing for other texts.
+/// Returns the number if the whole text is one, as std::from_chars reads it.
+std::optional<double> double_of(std::string_view text);
+
+/// Returns the value of a text that is a finite decimal number. For a picture size, returns the number of
+/// pixels. Returns nothing for other texts.
 std::optional<double> number_of(std::string_view text);
 
 }  // namespace pelage

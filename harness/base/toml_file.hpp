@@ -13,6 +13,14 @@
 
 namespace pelage {
 
+/// Throws InputError. The message names `file`, the line of `node` (unless it is null) and `what` is wrong.
+[[noreturn]] inline void refuse(const std::filesystem::path& file, const toml::node* node,
+                                const std::string& what) {
+  const auto line = node ? node->source().begin.line : 0;
+  throw InputError(line ? fmt::format("{}:{}: {}", file.string(), line, what)
+                        : fmt::format("{}: {}", file.string(), what));
+}
+
 /// Parses a text after check_toml_text(). `name` is the file or the option that contains the text. Throws
 /// InputError if the text is not TOML.
 inline toml::table parse_toml(const std::string& text, const std::string& name) {

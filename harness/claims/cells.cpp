@@ -41,8 +41,8 @@ std::string missing(const Claim& claim, const Row& row, const std::string& phase
   return {};
 }
 
-/// Returns the cells (struct Cell) to which the row belongs: one cell, or one cell per phase if the claim has
-/// `phases`. The returned cells do not contain the row yet.
+/// Returns the cells to which the row belongs: one cell, or one cell per phase if the claim has `phases`.
+/// They do not contain the row yet.
 std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
   Cell cell{row.case_name, row.axes, "frame", {}};
   cell.axes.try_emplace("variant", row.variant);

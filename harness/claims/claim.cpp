@@ -6,29 +6,15 @@ namespace pelage::claims {
 namespace {
 
 std::string quantity_of(const Claim& claim) {
-  std::string text;
-  switch (claim.quantity) {
-    case Quantity::frame_time:
-      text = "frame time";
-      break;
-    case Quantity::frame_rate:
-      text = "frame rate";
-      break;
-    case Quantity::phase_time:
-      text = fmt::format("time of the phase {}", claim.phase);
-      break;
-    case Quantity::phase_share:
-      text = fmt::format("fraction of the frame time that the phase {} takes", claim.phase);
-      break;
-    case Quantity::metric:
-      text = claim.metric;
-      break;
-  }
+  std::string text = claim.metric;
+  if (claim.quantity == Quantity::frame_time) text = "frame time";
+  if (claim.quantity == Quantity::frame_rate) text = "frame rate";
+  if (claim.quantity == Quantity::phase_time) text = fmt::format("time of the phase {}", claim.phase);
+  if (claim.quantity == Quantity::phase_share)
+    text = fmt::format("fraction of the frame time that the phase {} takes", claim.phase);
   return claim.per.empty() ? text : fmt::format("{} divided by {}", text, claim.per);
 }
 
-/// Returns the text of a ratio, for instance "frame rate with layers = 64, divided by the value with layers =
-/// 16".
 std::string ratio_of(const Claim& claim, const std::string& quantity) {
   return fmt::format("{} with {} = {}, divided by the value with {} = {}", quantity, claim.axis, claim.of,
                      claim.axis, claim.to);
@@ -59,19 +45,9 @@ std::string effect_words(const Claim& claim) {
   return quantity;
 }
 
-const char* combination_of(const Claim& claim) {
-  switch (claim.combine) {
-    case Combine::every:
-      return "each case";
-    case Combine::geometric_mean:
-      return "geometric mean over the cases";
-    case Combine::mean:
-      return "mean over the cases";
-    case Combine::median:
-      break;
-  }
-  return "median over the cases";
-}
+/// Texts of Combine::every, geometric_mean, mean and median.
+constexpr const char* combination_names[] = {"each case", "geometric mean over the cases",
+                                             "mean over the cases", "median over the cases"};
 
 }  // namespace
 
@@ -91,7 +67,8 @@ std::string description_of(const Claim& claim) {
   if (!claim.untestable.empty()) return {};
   const std::string alternately = claim.phases.empty() ? "" : "; one process drew the cases alternately";
   if (claim.effect == Effect::share_of_cases) return effect_words(claim) + alternately;
-  return fmt::format("{}; {}{}", effect_words(claim), combination_of(claim), alternately);
+  return fmt::format("{}; {}{}", effect_words(claim), combination_names[std::size_t(claim.combine)],
+                     alternately);
 }
 
 }  // namespace pelage::claims

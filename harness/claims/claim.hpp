@@ -1,7 +1,5 @@
-// A claim is a statement of a paper or of a user. Rows of results can confirm or refute the statement. A row
-// contains the measurements of one case in one process. A case has one value of each axis, and an axis is a
-// parameter that varies over the cases of an experiment. The file docs/experiments.md describes the file
-// format, the kinds of effects and the verdicts.
+// A claim is a statement of a paper or of a user, which rows of results can confirm or refute.
+// docs/experiments.md describes the file format, the kinds of effects and the verdicts.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -20,8 +18,7 @@ enum class Quantity {
   metric        ///< a metric of the row, in the unit of this metric
 };
 
-/// The number that is computed from the quantities of one or more cases and compared with the limits of the
-/// claim.
+/// The number that is computed from the quantities of cases and compared with the limits of the claim.
 enum class Effect {
   level,           ///< the quantity of a case
   ratio,           ///< quantity at the axis value `of`, divided by the quantity at `to`
@@ -40,8 +37,7 @@ enum class Combine {
   median
 };
 
-/// The values of an effect for which the claim holds: an interval, possibly without a lower or an upper
-/// limit.
+/// The values of an effect for which the claim holds, possibly without a lower or an upper limit.
 struct Region {
   std::optional<double> low = {}, high = {};
   bool strict = false;  ///< true if `low` and `high` themselves are outside the region
@@ -57,10 +53,9 @@ struct Claim {
   std::string paper;      ///< key of the paper in the references.bib of a report; may be empty
   std::string section;    ///< section, figure or table of the paper; may be empty
   bool absolute = false;  ///< true if the claim depends on the speed of the hardware
-  /// The reason why no rows can decide the claim. If it is not empty, all members below keep their defaults.
+  /// The reason why no rows can decide the claim; if there is one, all members below keep their defaults.
   std::string untestable;
-  /// Part of a device's name: only rows from devices with this part in their name decide the claim. Empty if
-  /// rows from every device may decide it.
+  /// Only rows from devices with this text in their name decide the claim. Empty if all do.
   std::string hardware;
 
   std::vector<std::string> experiments;
@@ -70,9 +65,8 @@ struct Claim {
   std::string phase;   ///< for phase_time, phase_share and ratio_by_phase
   std::string metric;  ///< for Quantity::metric
   std::string per;     ///< metric by which the quantity is divided; may be empty
-  /// Phase -> value of `axis`. A claim has this map if one process timed several variants alternately, and
-  /// each row has the times of these variants as separate phases. If the map is not empty, each phase of a
-  /// row is a separate case, whose quantity is computed from the times of the phase.
+  /// Phase -> value of `axis`, if one process timed several variants alternately: each row then has the times
+  /// of these variants as phases, and each phase is a separate case.
   std::map<std::string, std::string> phases;
   Effect effect = Effect::level;
   std::string axis, of, to;
@@ -82,19 +76,17 @@ struct Claim {
   Combine combine = Combine::every;
   std::string relation;  ///< the relation with its limits, as text: "at most 0.5"
   Region region;
-  /// Least number of effects, or of cases for the effect share_of_cases. With fewer, the claim is untestable.
+  /// Least number of effects (share_of_cases: of cases). With fewer, the claim is untestable.
   std::size_t cases = 1;
   std::size_t values = 0;  ///< smallest number of axis values from which a slope or trend is computed
-  /// Assumed relative standard deviation of times between processes. If the claim does not state it, this is
-  /// ClaimFile::process_spread.
+  /// Assumed relative standard deviation of times between processes; by default ClaimFile::process_spread.
   double process_spread = 0;
 };
 
 struct ClaimFile {
   std::filesystem::path file;
-  /// Assumed relative standard deviation of times between processes. It applies to cases that fewer than
-  /// `separate_processes` processes measured, because so few processes do not suffice to measure the
-  /// deviation.
+  /// Assumed relative standard deviation of times between processes, for cases that fewer than
+  /// `separate_processes` processes measured, which do not suffice to measure it.
   double process_spread = 0.07;
   int separate_processes = 3;
   std::vector<Claim> claims;  ///< in the order of the file
@@ -103,5 +95,12 @@ struct ClaimFile {
 /// Returns a description of the effect, for instance "frame rate with layers = 64, divided by the value with
 /// layers = 16; each case".
 std::string description_of(const Claim& claim);
+
+/// Reads a file of claims and the files that its key `include` names. The InputError for a file with an error
+/// names the file, the line, the key and the correct form.
+ClaimFile read_claims(const std::filesystem::path& file);
+
+/// Returns the path of the shipped file experiments/claims.toml. Throws InputError if it is not installed.
+std::filesystem::path shipped_claims();
 
 }  // namespace pelage::claims

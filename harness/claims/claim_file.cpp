@@ -1,5 +1,3 @@
-#include "harness/claims/claim_file.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <optional>
 #include <set>
 
 #include "harness/base/toml_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
@@ -174,25 +172,21 @@ void read_list(const fs::path& file, const toml::table& source, ClaimFile& resul
                std::set<std::string>& ids) {
   const toml::array* list = source["claim"].as_array();
   if (!list || list->empty())
-    throw InputError(
-        fmt::format("{}: there is no [[claim]]; docs/experiments.md describes the format", file.string()));
+    refuse(file, nullptr, "there is no [[claim]]; docs/experiments.md describes the format");
   for (const toml::node& node : *list) {
-    if (!node.is_table())
-      throw InputError(
-          fmt::format("{}:{}: a claim must be a table [[claim]]", file.string(), node.source().begin.line));
+    if (!node.is_table()) refuse(file, &node, "a claim must be a table [[claim]]");
     result.claims.push_back(read_claim(file, *node.as_table(), result));
     if (!ids.insert(result.claims.back().id).second)
-      throw InputError(fmt::format("{}:{}: two claims have the id {}", file.string(),
-                                   node.source().begin.line, result.claims.back().id));
+      refuse(file, &node, fmt::format("two claims have the id {}", result.claims.back().id));
   }
 }
 
 void check_keys(const fs::path& file, const toml::table& source, const std::vector<std::string>& known) {
   for (const auto& [key, node] : source)
     if (key != "claim" && std::find(known.begin(), known.end(), key.str()) == known.end())
-      throw InputError(
-          fmt::format("{}:{}: unknown key {} (known: {})", file.string(), node.source().begin.line, key.str(),
-                      fmt::join(known.empty() ? std::vector<std::string>{"[[claim]]"} : known, ", ")));
+      refuse(file, &node,
+             fmt::format("unknown key {} (known: {})", key.str(),
+                         fmt::join(known.empty() ? std::vector<std::string>{"[[claim]]"} : known, ", ")));
 }
 
 }  // namespace
@@ -211,8 +205,7 @@ ClaimFile read_claims(const fs::path& file) {
   const toml::node& include = *source.get("include");
   const toml::array* names = include.as_array();
   if (!names || !names->is_homogeneous<std::string>())
-    throw InputError(fmt::format("{}:{}: include must be a list of files, such as [\"more.toml\"]",
-                                 file.string(), include.source().begin.line));
+    refuse(file, &include, "include must be a list of files, such as [\"more.toml\"]");
   for (const toml::node& name : *names) {
     const fs::path other = file.parent_path() / *name.value<std::string>();
     const toml::table more = read_toml(other);

@@ -59,9 +59,7 @@ Value Drawing::value_of_pools() {
 }
 
 Value Drawing::measured() {
-  times_.clear();
-  phase_times_.clear();
-  metrics_.clear();
+  for (auto* pool : {&times_, &phase_times_, &metrics_}) pool->clear();
   for (const Process& process : processes_) {
     times_.insert(times_.end(), process.times.begin(), process.times.end());
     phase_times_.insert(phase_times_.end(), process.phase_times.begin(), process.phase_times.end());
@@ -71,9 +69,7 @@ Value Drawing::measured() {
 }
 
 Value Drawing::drawn() {
-  times_.clear();
-  phase_times_.clear();
-  metrics_.clear();
+  for (auto* pool : {&times_, &phase_times_, &metrics_}) pool->clear();
   for (std::size_t i = 0; i < processes_.size(); ++i) {
     const Process& process = processes_[random_() % processes_.size()];
     const double by = factor();

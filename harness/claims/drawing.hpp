@@ -1,5 +1,5 @@
-// Computes the quantity that a claim evaluates, such as the frame time, for one cell (one case on one device)
-// from its measured samples. For bootstrap intervals, computes the quantity from resampled samples.
+// Computes the quantity that a claim evaluates for one cell from its samples, and from resampled samples for
+// bootstrap intervals.
 #pragma once
 #include <boost/random/normal_distribution.hpp>
 #include <random>
@@ -14,15 +14,13 @@ struct Value {
   double value = 0, frame = 0;
 };
 
-/// Computes bootstrap draws of the quantity of one cell. A draw chooses processes with replacement, and then
-/// samples of each chosen process with replacement. If fewer than `separate_processes` processes measured the
-/// cell, the draw also multiplies the times of every chosen process by a random factor. This factor is
-/// log-normal with the relative standard deviation `spread`, and represents the unknown spread between
-/// processes. The draw also multiplies a metric by this factor if the metric's unit is ms, 1/s, fps or
-/// "times" (a ratio). It does not multiply other metrics, such as counts. If the row has a 95% interval of
-/// the metric, the draw takes the metric from a normal distribution with this interval. The random seed
-/// depends only on the experiment, the case and the variant. Equal arguments therefore give equal draws, and
-/// all phases of a case use the same processes, samples and factors.
+/// Bootstrap draws of the quantity of one cell. A draw chooses processes with replacement, and then samples
+/// of each chosen process with replacement. If fewer than `separate_processes` processes measured the cell,
+/// it also multiplies the times of every chosen process by a log-normal factor with the relative standard
+/// deviation `spread`, for the unknown spread between processes; likewise a metric with the unit ms, 1/s, fps
+/// or "times" (a ratio), but no count. A metric with a 95% interval is drawn from a normal distribution with
+/// this interval. The random seed depends only on the experiment, the case and the variant. Equal arguments
+/// therefore give equal draws, and all phases of a case use the same processes, samples and factors.
 class Drawing {
  public:
   Drawing(const Claim& claim, const Cell& cell, double spread, int separate_processes);
@@ -46,13 +44,12 @@ class Drawing {
   std::vector<double> times_, phase_times_, metrics_;  // all samples of the current draw
 };
 
-/// Computes draws of the quantity of a cell from the frame rate that the experiment's paper publishes (the
-/// metric paper_fps). The draws are uniformly distributed between the limits of this metric. These limits
-/// follow from the rounding of the published number. For a published bound such as "< 1", the limits are 0
-/// and the bound.
+/// Draws of the quantity of a cell from the frame rate that the experiment's paper publishes (the metric
+/// paper_fps), uniformly distributed between the limits of this metric, which follow from the rounding of the
+/// published number. For a published bound such as "< 1", the limits are 0 and the bound.
 class PaperDrawing {
  public:
-  /// Returns whether the experiment's paper publishes a number from which the quantity of this cell follows.
+  /// Whether the paper publishes a number from which the quantity of this cell follows.
   static bool possible(const Claim& claim, const Cell& cell);
   PaperDrawing(const Claim& claim, const Cell& cell);
   Value measured() const;

@@ -1,4 +1,3 @@
-// An axis is a parameter that varies over the cases of an experiment. A cell is one case on one device.
 #include "harness/claims/effects.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "harness/base/median.hpp"
 #include "harness/base/numbers.hpp"
-#include "harness/measure/statistics.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -18,8 +17,7 @@ namespace {
 using Axes = std::map<std::string, std::string>;
 using Group = std::vector<std::size_t>;  // indices of cells
 
-/// Returns the cell's axis value as a number. If the claim has a metric `along`, returns the value of this
-/// metric instead. Returns nothing if the cell has no such number or if the number is not above 0.
+/// Returns the cell's axis value, or the claim's metric `along`, as a number; nothing if it is not above 0.
 std::optional<double> position_of(const Claim& claim, const std::string& axis, const Cell& cell) {
   std::optional<double> x;
   if (!claim.along.empty()) {
@@ -52,8 +50,7 @@ std::vector<std::string> telling_axes(const std::vector<Cell>& cells, const std:
   return names;
 }
 
-/// Divides the cells into groups. The cells of a group have equal values of all axes that are not in
-/// `used`.
+/// Divides the cells into groups with equal values of all axes that are not in `used`.
 std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std::string>& used) {
   std::vector<Group> groups;
   std::map<Axes, std::size_t> known;
@@ -65,9 +62,9 @@ std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std:
   return groups;
 }
 
-/// Returns the two cells of the group whose values of the claim's axis are `of` and `to`. If a value belongs
-/// to no cell or to several cells, the function returns nothing and adds the reason to `left_out`. It adds no
-/// reason if neither value belongs to a cell.
+/// Returns the two cells of the group whose values of the claim's axis are `of` and `to`. If one of them is
+/// missing or several cells have it, returns nothing and adds the reason to `left_out`; no reason if both are
+/// missing.
 std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, const std::vector<Cell>& cells,
                                                            const Group& group,
                                                            std::vector<std::string>& left_out) {
@@ -89,9 +86,8 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
   return {};
 }
 
-/// Sorts part.x in increasing order. For each value of x, part.cells has `width` consecutive cells; the
-/// function moves these cells together with their value. Returns false if two values of x are equal or if
-/// there are fewer than `least` values.
+/// Sorts part.x in increasing order, and with each value its `width` consecutive cells of part.cells. Returns
+/// false if two values of x are equal or if there are fewer than `least` values.
 bool sort_by_x(Part& part, std::size_t least, std::size_t width) {
   std::vector<std::size_t> order(part.x.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -107,46 +103,36 @@ bool sort_by_x(Part& part, std::size_t least, std::size_t width) {
   return part.x.size() >= least;
 }
 
+/// Adds the part whose effect is a slope: of the quantity against the claim's axis, or for ratio_trend of the
+/// ratio against the axis `across`.
 void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& group, Part part,
                std::vector<Part>& parts, std::vector<std::string>& left_out) {
-  for (const std::size_t i : group) {
-    const auto x = position_of(claim, claim.axis, cells[i]);
+  const bool trend = claim.effect == Effect::ratio_trend;
+  const std::string& axis = trend ? claim.across : claim.axis;
+  const auto add = [&](const Group& at_one_x) {
+    const Cell& cell = cells[at_one_x.front()];
+    const auto x = position_of(claim, axis, cell);
     if (!x) {
-      left_out.push_back(fmt::format("{} (its {} is not a number above 0)", cells[i].name,
-                                     claim.along.empty() ? claim.axis : claim.along));
-      continue;
+      left_out.push_back(fmt::format("{} (its {} is not a number above 0)", cell.name,
+                                     claim.along.empty() ? axis : claim.along));
+      return;
     }
-    part.cells.push_back(i);
+    part.cells.insert(part.cells.end(), at_one_x.begin(), at_one_x.end());
     part.x.push_back(*x);
+  };
+  if (trend) {
+    std::map<std::string, Group> at;  // value of the axis `across` -> indices of cells
+    for (const std::size_t i : group) at[value_at(cells[i], axis)].push_back(i);
+    for (const auto& [value, members] : at)
+      if (const auto pair = pair_of(claim, cells, members, left_out)) add({pair->first, pair->second});
+  } else {
+    for (const std::size_t i : group) add({i});
   }
-  if (sort_by_x(part, claim.values, 1))
+  if (sort_by_x(part, claim.values, trend ? 2 : 1))
     parts.push_back(std::move(part));
   else
     left_out.push_back(fmt::format("{} (the effect needs {} different values of {})",
-                                   cells[group.front()].name, claim.values, claim.axis));
-}
-
-void add_trend(const Claim& claim, const std::vector<Cell>& cells, const Group& group, Part part,
-               std::vector<Part>& parts, std::vector<std::string>& left_out) {
-  std::map<std::string, Group> at;  // value of the axis `across` -> indices of cells
-  for (const std::size_t i : group) at[value_at(cells[i], claim.across)].push_back(i);
-  for (const auto& [value, members] : at) {
-    const auto pair = pair_of(claim, cells, members, left_out);
-    if (!pair) continue;
-    const auto x = position_of(claim, claim.across, cells[pair->first]);
-    if (!x) {
-      left_out.push_back(fmt::format("{} (its {} is not a number above 0)", cells[pair->first].name,
-                                     claim.along.empty() ? claim.across : claim.along));
-      continue;
-    }
-    part.cells.insert(part.cells.end(), {pair->first, pair->second});
-    part.x.push_back(*x);
-  }
-  if (sort_by_x(part, claim.values, 2))
-    parts.push_back(std::move(part));
-  else
-    left_out.push_back(fmt::format("{} (the effect needs {} different values of {})",
-                                   cells[group.front()].name, claim.values, claim.across));
+                                   cells[group.front()].name, claim.values, axis));
 }
 
 /// Returns the slope of the least-squares line through (ln x, y).
@@ -189,9 +175,8 @@ std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
       if (!part.name.empty()) part.name += ' ';
       part.name += value_at(cells[group.front()], axis);
     }
-    if (claim.effect == Effect::ratio_trend) {
-      add_trend(claim, cells, group, std::move(part), parts, left_out);
-    } else if (claim.effect == Effect::elasticity || claim.effect == Effect::linearity) {
+    if (claim.effect == Effect::ratio_trend || claim.effect == Effect::elasticity ||
+        claim.effect == Effect::linearity) {
       add_slope(claim, cells, group, std::move(part), parts, left_out);
     } else if (const auto pair = pair_of(claim, cells, group, left_out)) {
       part.cells = {pair->first, pair->second};

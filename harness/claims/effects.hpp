@@ -1,5 +1,4 @@
-// Divides the cells of a claim into groups, and computes one effect from each group. A cell is one case on
-// one device. An axis is a parameter that varies over the cases of an experiment.
+// Divides the cells of a claim into groups, and computes one effect from each group.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,8 +8,8 @@
 
 namespace pelage::claims {
 
-/// The cells from which one effect is computed, for instance the two cells of a ratio. A claim may have
-/// several parts; Claim::combine determines how their effects decide the claim.
+/// The cells from which one effect is computed. Claim::combine determines how the effects of several parts
+/// decide the claim.
 struct Part {
   /// The values of the axes that distinguish this part from the others, such as "lion 64"; may be empty.
   std::string name;
@@ -25,17 +24,16 @@ struct Part {
   std::vector<double> x;
 };
 
-/// Returns the parts of the claim. If an effect cannot be computed, for instance because the second cell of a
-/// ratio is missing, adds the name of a cell and the reason to `left_out`. An effect that needs the axis
-/// values `of` and `to` ignores the cells with other values of Claim::axis.
+/// Returns the parts of the claim. If an effect cannot be computed, adds the name of a cell and the reason to
+/// `left_out`. An effect that needs the axis values `of` and `to` ignores the cells with other values of
+/// Claim::axis.
 std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
                            std::vector<std::string>& left_out);
 
-/// Returns the effect of one part. `values` has one value per cell of the claim, in the order of the cells.
+/// Returns the effect of one part. `values` has one value per cell of the claim, in their order.
 double effect_of(const Claim& claim, const Part& part, const std::vector<Value>& values);
 
-/// Returns the mean, geometric mean or median of the effects, as Claim::combine specifies. Claim::combine
-/// must not be `every`.
+/// Combines the effects as Claim::combine, which must not be `every`, specifies.
 double combined(const Claim& claim, const std::vector<double>& effects);
 
 }  // namespace pelage::claims

@@ -40,8 +40,6 @@ std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& 
   return result;
 }
 
-/// Returns the number of bootstrap draws. With Combine::every, each part needs a separate decision, and more
-/// decisions need more draws.
 int draws_of(const Claim& claim, const std::vector<Part>& parts) {
   return draws_for(claim.combine == Combine::every ? parts.size() : 1);
 }
@@ -54,8 +52,7 @@ std::vector<Estimate> estimates_of(const ClaimFile& file, const Claim& claim, co
   return estimates_of(claim, parts, drawings, draws_of(claim, parts));
 }
 
-/// Adds the effect computed from published frame rates (the metric paper_fps of the rows), if enough cases
-/// have a published frame rate.
+/// Adds the effect of published frame rates, if enough cases have one.
 void add_paper(Judged& judged, const std::vector<Cell>& cells) {
   const Claim& claim = judged.claim;
   std::vector<Cell> given;

@@ -1,4 +1,4 @@
-// Decides claims from rows of results. A row contains the measurements of one case in one process.
+// Decides claims from rows of results.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,9 +10,7 @@
 
 namespace pelage::claims {
 
-/// A claim with its verdict on one device and host. A part of a claim is the group of cells from which one
-/// effect is computed (effects.hpp). With Combine::every, the effect of each part must be inside
-/// Claim::region. Decision::decisive (verdict.hpp) is then the index of the decisive part.
+/// A claim with its verdict on one device and host.
 struct Judged {
   Claim claim;
   std::string device, host;  ///< "" if there are no rows
@@ -26,12 +24,11 @@ struct Judged {
   double least = 0, most = 0;   ///< smallest and largest effect
   std::string decisive;         ///< for Combine::every with several effects: name of the decisive part
   std::size_t processes = 0;    ///< smallest number of separate processes that measured a case
-  /// The effect computed from published frame rates (the metric paper_fps of the rows). `paper_interval`
-  /// follows from the rounding of the published numbers.
+  /// The effect computed from published frame rates (the metric paper_fps); the interval follows from their
+  /// rounding.
   std::optional<double> paper_value;
   Interval paper_interval;
-  /// Notes about the rows: the cases that are left out, with the reason, and the number of rows that were
-  /// measured while other processes used the CPU.
+  /// Notes about the rows: cases that are left out, with the reason, and the number of contended rows.
   std::vector<std::string> notes;
 };
 

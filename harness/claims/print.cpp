@@ -145,19 +145,15 @@ std::string effect_text(const Judged& judged) {
   return text;
 }
 
-std::string text_of(const std::vector<Judged>& judged) {
-  return list_of(judged, true) + counts_of(judged);
-}
-
-std::string short_text_of(const std::vector<Judged>& judged) {
+std::string text_of(const std::vector<Judged>& judged, bool all) {
   std::set<std::string> experiments;
   std::size_t missing = 0;
   for (const Judged& one : judged)
-    if (one.no_rows) {
+    if (one.no_rows && !all) {
       ++missing;
       experiments.insert(fmt::format("{}", fmt::join(one.claim.experiments, " or ")));
     }
-  std::string text = list_of(judged, false);
+  std::string text = list_of(judged, all);
   if (missing > 0)
     text += fmt::format("{} of these experiments, which have no rows here: {}; --all lists {}\n",
                         missing == 1 ? "1 claim needs rows" : fmt::format("{} claims need rows", missing),

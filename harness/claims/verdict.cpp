@@ -1,7 +1,6 @@
 #include "harness/claims/verdict.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -10,8 +9,6 @@ namespace {
 
 constexpr double significance = 0.05;
 
-/// Returns the q-quantile of sorted values, with the interpolation of quantile()
-/// (harness/measure/statistics.hpp).
 double quantile_of_sorted(const std::vector<double>& values, double q) {
   const double position = q * double(values.size() - 1);
   const auto below = std::size_t(position);
@@ -39,17 +36,8 @@ Sorted sorted_of(const Estimate& estimate, const Region& region) {
 }  // namespace
 
 std::string_view to_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::holds:
-      return "holds";
-    case Verdict::fails:
-      return "fails";
-    case Verdict::undecided:
-      return "undecided";
-    case Verdict::untestable:
-      break;
-  }
-  return "untestable";
+  static constexpr std::string_view names[] = {"holds", "fails", "undecided", "untestable"};
+  return names[std::size_t(verdict)];
 }
 
 double margin(const Region& region, double value) {

@@ -19,34 +19,30 @@ struct Estimate {
 
 struct Decision {
   Verdict verdict = Verdict::undecided;
-  /// Index of the decisive estimate. If the claim fails, this is the estimate farthest outside the region. If
-  /// the claim is undecided, it is the undecided estimate with the smallest margin(). If the claim holds, it
-  /// is the estimate nearest to a limit of the region.
+  /// Index of the decisive estimate. If the claim fails, it is the estimate farthest outside the region; if
+  /// it is undecided, the undecided estimate with the smallest margin(); if it holds, that nearest to a
+  /// limit.
   std::size_t decisive = 0;
   Interval interval;         ///< percentile interval of the decisive estimate
   double confidence = 0.95;  ///< confidence level of `interval`; Holm's method may demand more than 0.95
 };
 
 /// Decides whether all m effects (m = estimates.size()) lie in the region. With Holm's method, the
-/// probability that at least one of the m decisions is wrong is at most 5%. The effects are ordered by their
-/// p-value. The k-th effect (from k = 1) is decided if its interval with the confidence 1 - 0.05 / (m - k +
-/// 1) lies wholly inside or wholly outside the region. The first effect that is not decided ends the
-/// procedure. The claim fails if the procedure decides that an effect lies outside the region. The claim
-/// holds if the procedure decides that all effects lie inside the region. Otherwise the claim is undecided.
-/// With a single effect, the 95% interval decides.
+/// probability that at least one of the m decisions is wrong is at most 5%. In the order of the p-values, the
+/// k-th effect (from k = 1) is decided if its interval with the confidence 1 - 0.05 / (m - k + 1) lies wholly
+/// inside or wholly outside the region. The first effect that is not decided ends the procedure. The claim
+/// fails if an effect is decided to lie outside the region, and holds if all are decided to lie inside;
+/// otherwise it is undecided.
 Decision decide(const std::vector<Estimate>& estimates, const Region& region);
 
-/// The largest number of effects that judge() decides separately. More effects need more bootstrap draws, and
-/// therefore more time and memory.
+/// The largest number of effects that judge() decides separately. More need more draws, time and memory.
 inline constexpr std::size_t most_effects = 200;
 
-/// Returns the number of bootstrap draws for `effects` separate decisions. With more decisions,
-/// Holm's method uses wider intervals. Draws near the limits of a wide interval are rare, so more draws are
-/// needed to estimate these limits.
+/// Returns the number of bootstrap draws for `effects` separate decisions. More decisions use wider
+/// intervals, near whose limits draws are rare.
 int draws_for(std::size_t effects);
 
-/// Returns the distance of the value from the nearest limit of the region: positive if the value is inside
-/// the region, negative if it is outside.
+/// Returns the distance of the value from the nearest limit of the region, negative outside it.
 double margin(const Region& region, double value);
 
 }  // namespace pelage::claims

@@ -7,7 +7,7 @@
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/check_scenes.hpp"
 #include "harness/error.hpp"
-#include "harness/experiment/filter.hpp"
+#include "harness/experiment/experiment.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/system/system.hpp"
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "harness/atomic_file.hpp"
-#include "harness/claims/claim_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "harness/claims/print.hpp"
 #include "harness/commands/commands.hpp"
 #include "harness/report/input_sets.hpp"
@@ -17,12 +17,6 @@ struct ClaimsOptions {
   bool json = false, markdown = false, all = false;
 };
 
-std::string csv_of(const std::vector<claims::Judged>& judged) {
-  std::string text;
-  for (const std::vector<std::string>& line : claims::table_of(judged)) text += csv_line(line);
-  return text;
-}
-
 int print_claims(const ClaimsOptions& options) {
   const claims::ClaimFile file = claims::read_claims(
       options.file.empty() ? claims::shipped_claims() : std::filesystem::path(options.file));
@@ -35,16 +29,14 @@ int print_claims(const ClaimsOptions& options) {
         "but measured different inputs ({}). To judge the claims by these rows, give only their journals\n",
         sets[i].rows.size(), sets[i].differs);
   if (options.csv == "-")
-    fmt::print("{}", csv_of(judged));
+    fmt::print("{}", csv_lines(claims::table_of(judged)));
   else if (!options.csv.empty())
-    write_text_atomically(options.csv, csv_of(judged));
+    write_text_atomically(options.csv, csv_lines(claims::table_of(judged)));
   if (options.csv == "-") return 0;
   if (options.json)
     fmt::print("{}\n", claims::json_of(judged).dump(2));
   else
-    fmt::print("{}", options.markdown ? claims::markdown_of(judged)
-                     : options.all    ? claims::text_of(judged)
-                                      : claims::short_text_of(judged));
+    fmt::print("{}", options.markdown ? claims::markdown_of(judged) : claims::text_of(judged, options.all));
   return 0;
 }
 

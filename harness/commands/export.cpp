@@ -5,7 +5,7 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/commands/commands.hpp"
-#include "harness/record/all_results.hpp"
+#include "harness/record/results_folder.hpp"
 #include "harness/report/csv.hpp"
 
 namespace pelage {

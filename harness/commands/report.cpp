@@ -9,7 +9,6 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/page/page.hpp"
-#include "harness/report/left_out.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

@@ -7,7 +7,6 @@
 
 #include "harness/base/numbers.hpp"
 #include "harness/error.hpp"
-#include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/soup.hpp"

@@ -1,13 +1,12 @@
-// Checks the axes of an experiment. An axis is a quantity that varies over the experiment's cases.
 #include "harness/experiment/axes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
+#include "harness/base/numbers.hpp"
 #include "harness/error.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -24,8 +23,7 @@ const Tables& tables_of(const Experiment& experiment, const std::string& axis) {
   return found == experiment.at.end() ? none : found->second;
 }
 
-/// Returns the scene keys that the values of the axis set directly. Keys in the tables [AXIS.VALUE] are not
-/// included.
+/// Returns the scene keys that the values of the axis set directly, without tables [AXIS.VALUE].
 std::vector<std::string> varied_by(const std::string& axis) {
   if (axis == "layers") return {"fur.layers"};
   if (axis == "size") return {"image.width", "image.height"};
@@ -33,14 +31,12 @@ std::vector<std::string> varied_by(const std::string& axis) {
   return {};
 }
 
-/// If `axes` contains an axis with the key `key`, adds its values to `values`.
 void add_values(const std::vector<Axis>& axes, const std::string& key, std::set<std::string>& values) {
   for (const Axis& axis : axes)
     if (axis.key == key) values.insert(axis.values.begin(), axis.values.end());
 }
 
-/// Returns all values of the axis `key` in the experiment file: values in [axes], values in presets, and
-/// names of tables [key.VALUE].
+/// Returns all values of the axis in the experiment file: in [axes], in presets, and names of tables.
 std::set<std::string> values_in_file(const Experiment& experiment, const std::string& key) {
   std::set<std::string> values;
   add_values(experiment.axes, key, values);
@@ -49,8 +45,7 @@ std::set<std::string> values_in_file(const Experiment& experiment, const std::st
   return values;
 }
 
-/// Checks `axis`, whose values are names of tables. Its key is "reading" (an interpretation of a paper's
-/// text) or a name that the author of the experiment file chose.
+/// Checks an axis whose values are names of tables: "reading" or a name of the author's choice.
 void check_named(const Experiment& experiment, const Axis& axis) {
   if (tables_of(experiment, axis.key).empty()) {
     const std::string needed = fmt::format(
@@ -94,9 +89,8 @@ bool is_scene_key(const std::string& key) {
 }
 
 std::string canonical(const std::string& value) {
-  double number = 0;
-  const auto [end, code] = std::from_chars(value.data(), value.data() + value.size(), number);
-  return code == std::errc{} && end == value.data() + value.size() ? fmt::format("{}", number) : value;
+  const std::optional<double> number = double_of(value);
+  return number ? fmt::format("{}", *number) : value;
 }
 
 bool table_sets(const Experiment& experiment, const std::string& axis, const std::string& value,

@@ -1,5 +1,4 @@
-// Checks the axes of an experiment before the list of its cases is made. An axis is a quantity that varies
-// over the cases.
+// Checks the axes of an experiment before the list of its cases is made.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,14 +7,11 @@
 
 namespace pelage {
 
-/// Returns whether `key` is the name of a scene key, such as "fur.length".
 bool is_scene_key(const std::string& key);
 
-/// Returns the same text for all values of an axis that are equal as numbers. For instance, returns "0.1" for
-/// "0.1" and for "0.10".
+/// Returns the same text for values that are equal as numbers: "0.1" for "0.1" and for "0.10".
 std::string canonical(const std::string& value);
 
-/// Returns whether the table [axis.value] of the experiment file contains the scene key `key`.
 bool table_sets(const Experiment& experiment, const std::string& axis, const std::string& value,
                 const std::string& key);
 

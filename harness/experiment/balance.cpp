@@ -1,5 +1,3 @@
-// Divides the cases of a run among shards, using the times in rows. A row is the recorded result of a case.
-// Its provenance is a JSON object that stores how and where the case ran.
 #include "harness/experiment/balance.hpp"
 
 #include <algorithm>
@@ -14,8 +12,6 @@
 namespace pelage {
 namespace {
 
-/// Returns the time in seconds that the row's provenance stores under `key`. Returns no value if the entry is
-/// missing or negative.
 std::optional<double> seconds(const Row& row, const char* key) {
   const std::optional<double> value = provenance_number(row, key);
   return value && *value >= 0 ? value : std::nullopt;

@@ -1,4 +1,3 @@
-// Makes the cases of an experiment from its axes. An axis is a quantity that varies over the cases.
 #include "harness/experiment/experiment.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +5,6 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -14,7 +12,6 @@
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
-#include "harness/experiment/filter.hpp"
 #include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -24,13 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the text as a TOML string in quotes. The JSON writer is used because JSON's
-/// escape sequences are also valid in TOML.
+/// Returns the text as a TOML string; JSON's escape sequences are also valid in TOML.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
 }
 
-/// Returns the scene keys that the value `value` of the axis `axis` sets, and their values as TOML text.
+/// Returns the scene keys that the value of the axis sets, with their values as TOML text.
 std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
@@ -42,9 +38,8 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
   return {};
 }
 
-/// Returns an axis value as text that may be part of a file name. The path of a model file is reduced to its
-/// stem, unless another value of the axis has the same stem. All characters except letters, digits, '.' and
-/// '_' are replaced by '_'.
+/// Returns an axis value as a part of a file name: of a mesh file the stem, unless another value of the axis
+/// has the same, and '_' for all characters except letters, digits, '.' and '_'.
 std::string fit_for_a_name(const Axis& axis, const std::string& value) {
   std::string text = value;
   if (axis.key == "model") {
@@ -178,6 +173,21 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   return result;
 }
 
+fs::path example_scene(const std::string& name) {
+  const fs::path folder = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR).back() / "examples";
+  std::vector<std::string> known;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& file = entry.path();
+    if (file.extension() != ".toml") continue;
+    if (file.stem() == name || file.filename() == name) return file;
+    known.push_back(file.stem().string());
+  }
+  std::sort(known.begin(), known.end());
+  throw InputError(fmt::format("{}: there is no such scene file, and no such example in {}/ (examples: {})",
+                               name, folder.string(), fmt::join(known, ", ")));
+}
+
 }  // namespace
 
 Case baseline_case(const Experiment& experiment, const Case& which) {
@@ -239,6 +249,12 @@ std::vector<fs::path> experiments_named(const std::string& name_or_file) {
   return collection.empty() ? std::vector{experiment_file(name_or_file)} : collection;
 }
 
+fs::path file_or_example(const fs::path& folder, const std::string& name) {
+  const fs::path file = (folder / name).lexically_normal();
+  std::error_code error;
+  return fs::exists(file, error) || error || name.find('/') != std::string::npos ? file : example_scene(name);
+}
+
 const Preset& preset_of(const Experiment& experiment, const std::string& name) {
   const auto found = experiment.presets.find(name);
   if (found != experiment.presets.end()) return found->second;
@@ -296,6 +312,25 @@ Scene scene_of(const Experiment& experiment, const Case& which) {
   return scene_at(scene, double(scene.dynamics.time));
 }
 
+Filter::Filter(const std::string& expression) {
+  re2::RE2::Options options;
+  options.set_log_errors(false);
+  const auto pattern = std::make_shared<const re2::RE2>(expression, options);
+  // The expression may be very long, and RE2's error message quotes the invalid part of it. Both texts are
+  // therefore shortened.
+  const auto shortened = [](const std::string& text) {
+    return text.size() > 80 ? text.substr(0, 80) + "..." : text;
+  };
+  if (!pattern->ok())
+    throw InputError(fmt::format("--filter {}: this is not a valid regular expression: {}",
+                                 shortened(expression), shortened(pattern->error())));
+  expression_ = pattern;
+}
+
+bool Filter::finds(const std::string& name) const {
+  return re2::RE2::PartialMatch(name, *expression_);
+}
+
 std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex) {
   const Filter filter(regex);
   std::erase_if(cases, [&](const Case& c) { return !filter.finds(c.name); });
@@ -311,8 +346,8 @@ Shard shard_from_text(const std::string& text) {
 }
 
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed) {
-  // This is the Fisher-Yates shuffle. std::shuffle is not used, because its order depends on the standard
-  // library. A recorded seed must give the same order everywhere.
+  // Fisher-Yates, because the order of std::shuffle depends on the standard library, and a recorded seed must
+  // give the same order everywhere.
   std::mt19937_64 random(seed);
   for (std::size_t i = cases.size(); i > 1; --i) std::swap(cases[i - 1], cases[random() % i]);
   return cases;

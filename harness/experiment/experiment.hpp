@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,10 @@
 #include "harness/experiment/view.hpp"
 #include "harness/record/row.hpp"
 #include "harness/scene/scene.hpp"
+
+namespace re2 {
+class RE2;
+}
 
 namespace pelage {
 
@@ -22,10 +27,9 @@ using Setting = std::pair<std::string, std::string>;
 /// - "model";
 /// - "layers": the scene key fur.layers;
 /// - "size": image.width x image.height;
-/// - "reading": an interpretation of the text of the paper that the experiment reproduces;
+/// - "reading": an interpretation of the text of a paper;
 /// - "variant": a pipeline with its options.
-/// The values of "reading", of "variant" and of an axis with a chosen name are names of tables in the
-/// experiment file.
+/// The values of "reading", of "variant" and of an axis with a chosen name are names of tables in the file.
 struct Axis {
   std::string key;
   std::vector<std::string> values;  ///< as written in the file or on the command line: "0.10" stays "0.10"
@@ -44,8 +48,7 @@ struct SamplingLimits {
 
 struct Preset {
   SamplingLimits limits;
-  /// Each axis replaces the experiment's axis with the same key. If the experiment has no axis with this key,
-  /// the preset's axis is added.
+  /// Each axis replaces the experiment's axis with the same key, or is added if there is none.
   std::vector<Axis> axes;
 };
 
@@ -55,11 +58,9 @@ struct Published {
   Metric figure;
 };
 
-/// A variant without the key `pipeline` has the pipeline that its scene names. `default_pipeline` is the one
-/// of scenes that name none. `default_variant` is the
-/// variant of a case without the axis "variant". When such a case runs on a device, pelage renames its
-/// variant to "shells/MAPPING". MAPPING is the mapping of pixels to work-items. On CPUs the default mapping
-/// is "tile". The subtitles of a report's tables do not mention `default_variant`.
+/// A variant without the key `pipeline` has the pipeline that its scene names; `default_pipeline` is that of
+/// scenes that name none. `default_variant` is the variant of a case without the axis "variant". When such a
+/// case runs on a device, it is renamed to "shells/MAPPING"; on CPUs the default mapping is "tile".
 inline constexpr std::string_view default_pipeline = "shells", default_variant = "shells/tile";
 
 /// Besides scene keys, the table of a variant in an experiment file may contain these three keys.
@@ -95,8 +96,7 @@ struct Case {
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string> overrides;  ///< values of the options --set, --axis and --model
   std::map<std::string, std::string> settings;   ///< scene keys of the experiment file, values as in TOML
-  /// The scene keys that are axes, with their values in this case, followed by the scene keys of --set. They
-  /// override `settings`.
+  /// The scene keys that are axes, followed by those of --set. They override `settings`.
   std::vector<Setting> set;
   std::optional<Metric> published;  ///< value from the experiment's paper; absent if there are overrides
   std::map<std::string, double> require;  ///< metric -> required minimum; no entries if there are overrides
@@ -104,31 +104,33 @@ struct Case {
 
 /// The command-line options --set, --axis and --model, which change an experiment.
 struct Overrides {
-  std::vector<Setting> set;
-  std::vector<Axis> axes;
-  std::string model;
+  std::vector<Setting> set = {};
+  std::vector<Axis> axes = {};
+  std::string model = {};
 };
 
-/// Reads a number in the form in which a paper prints it: "267" (rounded; the exact number is between 266.5
-/// and 267.5), "< 1" (an upper bound), "~ 30" (an approximate value) or "20..30" (a range). Throws InputError
-/// for other texts.
+/// Reads a number in the form in which a paper prints it: "267" (rounded: between 266.5 and 267.5), "< 1" (an
+/// upper bound), "~ 30" (an approximate value) or "20..30" (a range). Throws InputError for other texts.
 Metric published_figure(const std::string& text, const std::string& unit);
 
-/// Reads an experiment file. Throws InputError if the file is not valid. The message names the file, the
-/// line, the key and the permitted values.
+/// Reads an experiment file. The InputError for an invalid file names the file, the line, the key and the
+/// permitted values.
 Experiment read_experiment(const std::filesystem::path& file);
 
-/// Returns the path of an experiment file. The argument is a name that `pelage list` shows, or a path that
-/// ends in .toml. Throws InputError if there is no such file. If the argument is a name, the message lists
-/// the known names.
+/// Returns the path of an experiment file, given as a name that `pelage list` shows or a path that ends in
+/// .toml. The InputError for an unknown name lists the known ones.
 std::filesystem::path experiment_file(const std::string& name_or_file);
-/// Returns the files of the experiments that `pelage run` runs for a word: all shipped experiments of the
-/// collection with this name, sorted; if there is no such collection, the experiment_file() of the word.
+/// Returns the files of the experiments that `pelage run` runs for a word: those of the collection with this
+/// name, sorted, or else the experiment_file().
 std::vector<std::filesystem::path> experiments_named(const std::string& name_or_file);
 std::vector<std::filesystem::path> experiment_files();  ///< all shipped experiment files, sorted
 
-/// Returns the preset `name`. If the experiment has no preset with this name, throws InputError with the
-/// names of its presets.
+/// Returns the path of a scene file, relative to `folder`. If there is no such file, and `name` contains no
+/// '/', returns the path of the example NAME or NAME.toml. The InputError for an unknown name lists all
+/// examples.
+std::filesystem::path file_or_example(const std::filesystem::path& folder, const std::string& name);
+
+/// Returns the preset `name`. The InputError for an unknown name lists the presets.
 const Preset& preset_of(const Experiment& experiment, const std::string& name);
 
 /// Largest number of cases of an experiment. This limit bounds the memory of the list of cases.
@@ -137,22 +139,34 @@ inline constexpr int most_cases = 100'000;
 /// Largest number of characters in the name of a case. Files are named after the case.
 inline constexpr std::size_t longest_case_name = 200;
 
-/// Returns all cases; the last axis of the file varies fastest. Throws InputError if an axis or one of its
-/// values is not valid (see check_axes()), or if two cases have the same name.
+/// Returns all cases; the last axis of the file varies fastest. Throws InputError if an axis or a value is
+/// not valid (check_axes()), or if two cases have the same name.
 std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
                            const Overrides& overrides = {});
 
-/// Returns the case's scene with all keys, after range checks. Keys with keyframes have their values at the
-/// time dynamics.time. A relative path in the experiment file is
-/// relative to the folder of the experiment file. A relative path in the scene file is relative to the folder
-/// of the scene file. A relative path in --set is relative to the working folder. If a value is not valid,
-/// throws InputError; the message names the case, the key, the experiment file and the scene file.
+/// Returns the case's scene with all keys, after range checks; keyframes have their values at the time
+/// dynamics.time. A relative path is relative to the folder of the file that contains it, or to the working
+/// folder in --set. The InputError for an invalid value names the case, the key, the experiment file and the
+/// scene file.
 Scene scene_of(const Experiment& experiment, const Case& which);
 
 /// Returns the case with the first value, in the experiment file, of each axis whose values are names of
-/// tables of scene keys, other than model, layers, size and variant: "reading", for example. The settings of
-/// the other axes and of --set stay.
+/// tables, other than model, layers, size and variant. Other axes and --set stay.
 Case baseline_case(const Experiment& experiment, const Case& which);
+
+/// The option --filter: a regular expression in RE2's syntax that selects cases by their names. RE2 matches
+/// in a time proportional to the length of the text; std::regex can take exponential time or overflow the
+/// stack.
+class Filter {
+ public:
+  /// Throws InputError if the expression is invalid, or if its compiled form needs more than 8 MiB.
+  explicit Filter(const std::string& expression);
+  bool finds(
+      const std::string& name) const;  ///< whether a part of `name` matches; true for the empty expression
+
+ private:
+  std::shared_ptr<const re2::RE2> expression_;
+};
 
 /// Returns the cases whose names contain a match of `regex` (empty: all cases). Throws InputError for a
 /// malformed expression.
@@ -163,9 +177,8 @@ struct Shard {
 };
 /// Reads "i/n" with 0 <= i < n: shard (part of a run) i of n. Throws InputError for other texts.
 Shard shard_from_text(const std::string& text);
-/// Returns the cases in a random order that depends only on `seed`. This order spreads the cases that have
-/// the same value of an axis over the whole run. A slow change of the machine's speed therefore affects all
-/// values of the axis about equally.
+/// Returns the cases in a random order that depends only on `seed`, so that a slow change of the machine's
+/// speed affects all values of an axis about equally.
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed);
 
 }  // namespace pelage

@@ -1,20 +1,19 @@
-// Reads experiment files (experiments/*.toml). An axis is a quantity that varies over an experiment's cases.
+// Reads experiment files (experiments/*.toml).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <re2/re2.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <sstream>
 
+#include "harness/base/numbers.hpp"
 #include "harness/base/toml_file.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
-#include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/experiment/tables_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -34,8 +33,7 @@ const std::set<std::string, std::less<>> reserved{"name",       "title",    "pap
                                                   "collection", "hardware", "axes",   "scene",
                                                   "published",  "require",  "preset", "report"};
 
-/// Columns of exported CSV files and data frames. Each axis becomes a column too, so an axis must not have
-/// one of these names.
+/// Columns of exported CSV files and data frames, in which each axis becomes a column too.
 const std::set<std::string, std::less<>> columns{"case",       "clock",   "contended", "converged", "device",
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
@@ -75,8 +73,7 @@ std::string plain(const toml::node& node) {
   return literal(node);
 }
 
-/// Returns a number as it is written in the file: 0.10 stays 0.10 and does not become 0.1. For values that
-/// are not numbers, returns plain().
+/// Returns a number as it is written in the file (0.10 stays 0.10), and plain() of other values.
 std::string as_written(const toml::node& node, const Source& source) {
   const toml::source_region& at = node.source();
   if (!node.is_number() || at.begin.line == 0 || at.begin.line != at.end.line) return plain(node);
@@ -86,15 +83,12 @@ std::string as_written(const toml::node& node, const Source& source) {
       source.text.substr(start + at.begin.column - 1, at.end.column - at.begin.column);
   // toml++ counts columns in characters, but `text` is indexed in bytes. If a character of several bytes
   // precedes the number in its line, `written` is therefore not the number. The following test detects this.
-  double number = 0;
-  const auto [end, code] = std::from_chars(written.data(), written.data() + written.size(), number);
-  const bool whole = code == std::errc{} && end == written.data() + written.size();
-  return whole && number == node.value<double>() ? written : plain(node);
+  const std::optional<double> number = double_of(written);
+  return number && number == node.value<double>() ? written : plain(node);
 }
 
 /// Appends the table's settings with dotted keys, so that [fur] length = 1 and fur.length = 1 give the same
-/// setting. Throws InputError if a key is not a scene key, or if its value is not permitted. Skips the keys
-/// for which `other` returns true.
+/// setting, after checking them. Skips the keys for which `other` returns true.
 void flatten(const fs::path& file, const toml::table& table, const std::string& prefix,
              bool (*other)(std::string_view), std::vector<Setting>& into) {
   for (const auto& [key, node] : table) {
@@ -112,16 +106,49 @@ void flatten(const fs::path& file, const toml::table& table, const std::string& 
   }
 }
 
-std::string text_at(const fs::path& file, const toml::table& table, std::string_view key) {
+/// Returns the string at the key, or "" if the key is missing. The error message has `table_name` before the
+/// key.
+std::string text_at(const fs::path& file, const toml::table& table, std::string_view key,
+                    std::string_view table_name = "") {
   const toml::node* node = table.get(key);
   if (!node) return {};
   const auto text = node->value_exact<std::string>();
-  if (!text) refuse(file, node, fmt::format("{} must be a string", key));
+  if (!text) refuse(file, node, fmt::format("{}{} must be a string", table_name, key));
   return *text;
 }
 
-/// Adds the axes of `table` and of the tables in it to `found`. The tables in it come from dotted keys: TOML
-/// reads `curl.radius = [1, 2]` as a table `curl` with the key `radius`.
+/// Returns the strings at the key of the table [report], which must be a list of strings or a single string.
+/// Returns an empty list if the key is missing.
+std::vector<std::string> texts_at(const fs::path& file, const toml::table& table, std::string_view key) {
+  const toml::node* node = table.get(key);
+  if (!node) return {};
+  if (const auto text = node->value_exact<std::string>()) return {*text};
+  const auto* list = node->as_array();
+  if (!list || list->empty())
+    refuse(file, node, fmt::format("report.{} must be a string or a list of strings", key));
+  std::vector<std::string> texts;
+  for (const toml::node& item : *list) {
+    const auto text = item.value_exact<std::string>();
+    if (!text) refuse(file, &item, fmt::format("report.{} must be a string or a list of strings", key));
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+/// Returns the number `key` of a table, or `otherwise` if the table has no such key. Throws InputError if the
+/// value is not a number in [least, most].
+double number_at(const fs::path& file, const toml::table& table, std::string_view key, double otherwise,
+                 double least, double most) {
+  const toml::node* node = table.get(key);
+  if (!node) return otherwise;
+  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value || !(*value >= least && *value <= most))
+    refuse(file, node, fmt::format("{} must be a number in [{}, {}]", key, least, most));
+  return *value;
+}
+
+/// Adds the axes of `table` and of the tables in it, which come from dotted keys: TOML reads `curl.radius =
+/// [1, 2]` as a table `curl` with the key `radius`.
 void find_axes(const Source& source, const toml::table& table, const std::string& prefix,
                std::vector<std::pair<toml::source_position, Axis>>& found) {
   for (const auto& [key, node] : table) {
@@ -165,18 +192,20 @@ std::vector<Axis> read_axes(const Source& source, const toml::table& table) {
   return axes;
 }
 
+/// Throws InputError if the table has a key that is not in `known`.
+void check_keys(const fs::path& file, const toml::table& table, std::string_view table_name,
+                const std::set<std::string_view>& known) {
+  for (const auto& [key, node] : table)
+    if (!known.contains(key.str()))
+      refuse(file, &node,
+             fmt::format("unknown key {}{} (known: {})", table_name, key.str(), fmt::join(known, ", ")));
+}
+
 Preset read_preset(const Source& source, const toml::table& table) {
   const fs::path& file = source.file;
   Preset preset;
   SamplingLimits& limits = preset.limits;
-  for (const auto& [key, node] : table) {
-    static const std::set<std::string_view> known{"warm_up_s", "least",   "most",
-                                                  "precision", "limit_s", "axes"};
-    if (!known.contains(key.str()))
-      refuse(
-          file, &node,
-          fmt::format("unknown key {} (known: axes, least, limit_s, most, precision, warm_up_s)", key.str()));
-  }
+  check_keys(file, table, "", {"axes", "least", "limit_s", "most", "precision", "warm_up_s"});
   limits.warm_up_s = number_at(file, table, "warm_up_s", limits.warm_up_s, 0, 3600);
   limits.least = int(number_at(file, table, "least", limits.least, 1, 1e6));
   limits.most = int(number_at(file, table, "most", limits.most, 1, 1e6));
@@ -189,6 +218,72 @@ Preset read_preset(const Source& source, const toml::table& table) {
     preset.axes = read_axes(source, *axes->as_table());
   }
   return preset;
+}
+
+View view_from_toml(const fs::path& file, const toml::table& table) {
+  check_keys(file, table, "report.",
+             {"blocks", "columns", "panels", "program", "scale", "series", "values", "x", "y"});
+  View view;
+  view.blocks = texts_at(file, table, "blocks");
+  view.columns = texts_at(file, table, "columns");
+  view.values = texts_at(file, table, "values");
+  view.x = text_at(file, table, "x", "report.");
+  view.y = texts_at(file, table, "y");
+  view.series = texts_at(file, table, "series");
+  view.panels = texts_at(file, table, "panels");
+  view.program = text_at(file, table, "program", "report.");
+  const std::vector<std::string> scale = texts_at(file, table, "scale");
+  for (const std::string& one : scale)
+    if ((one != "linear" && one != "log") || scale.size() > 2)
+      refuse(file, table.get("scale"),
+             "report.scale must be \"linear\" or \"log\", or a list of two of them, first for x, then for y");
+  if (!scale.empty()) view.x_scale = scale.front(), view.y_scale = scale.back();
+  return view;
+}
+
+/// Returns the least values of metrics in a table. Tables in it are ignored.
+std::map<std::string, double> least_values(const fs::path& file, const toml::table& table) {
+  std::map<std::string, double> result;
+  for (const auto& [metric, node] : table)
+    if (!node.is_table())
+      result[std::string(metric.str())] = number_at(file, table, metric.str(), 0, -1e300, 1e300);
+  return result;
+}
+
+/// Reads the table [require]: least values of metrics for all cases, and tables [require.AXIS.VALUE] with
+/// least values for the cases with this value of the axis.
+void read_require(const fs::path& file, const toml::table& table, Experiment& into) {
+  into.require = least_values(file, table);
+  for (const auto& [axis, node] : table) {
+    if (!node.is_table()) continue;
+    for (const auto& [value, inner] : *node.as_table()) {
+      if (!inner.is_table())
+        refuse(file, &inner,
+               fmt::format("require.{}.{} must be a table of metrics and least values", axis.str(),
+                           value.str()));
+      into.require_at[std::string(axis.str())][std::string(value.str())] =
+          least_values(file, *inner.as_table());
+    }
+  }
+}
+
+/// Throws InputError if a table [require.AXIS.VALUE] names an axis or a value that the experiment does not
+/// have. table: the whole file.
+void check_require(const fs::path& file, const toml::table& table, const Experiment& experiment) {
+  const auto known = [&](const std::string& axis, const std::string& value) {
+    const auto has = [&](const std::vector<Axis>& axes) {
+      return std::any_of(axes.begin(), axes.end(), [&](const Axis& one) {
+        return one.key == axis && std::find(one.values.begin(), one.values.end(), value) != one.values.end();
+      });
+    };
+    return has(experiment.axes) || std::any_of(experiment.presets.begin(), experiment.presets.end(),
+                                               [&](const auto& preset) { return has(preset.second.axes); });
+  };
+  for (const auto& [axis, values] : experiment.require_at)
+    for (const auto& [value, least] : values)
+      if (!known(axis, value))
+        refuse(file, table.get("require"),
+               fmt::format("require.{}.{}: no axis has this name and value", axis, value));
 }
 
 std::vector<Published> read_published(const fs::path& file, const toml::table& table) {
@@ -236,8 +331,6 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
   }
 }
 
-/// Reads the table [scene]: the key `file`, which names a scene file, and the scene keys that override values
-/// of the scene file.
 void read_scene_table(const fs::path& file, const toml::table& table, Experiment& into) {
   flatten(
       file, table, {}, [](std::string_view key) { return key == "file"; }, into.scene);
@@ -253,9 +346,9 @@ void read_scene_table(const fs::path& file, const toml::table& table, Experiment
   }
 }
 
-/// Reads the tables of an axis whose name the author of the file chose. Throws InputError if no axis has the
-/// name `axis`. Also throws InputError if a table's name is not among the axis's values and, in addition,
-/// some value of the axis has no table. The name of the table or this value is then probably misspelled.
+/// Reads the tables of an axis whose name the author of the file chose. Throws InputError if no axis has this
+/// name, or if a table's name is not among the axis's values while some value has no table: one of the names
+/// is probably misspelled.
 void read_tables_of_own_axis(const fs::path& file, const std::string& axis, const toml::node& node,
                              Experiment& into) {
   std::set<std::string> values;

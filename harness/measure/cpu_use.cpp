@@ -1,6 +1,7 @@
 #include "harness/measure/cpu_use.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,7 +10,10 @@
 #include <fstream>
 #include <numeric>
 #include <sstream>
+#include <thread>
 #include <vector>
+
+#include "harness/error.hpp"
 
 namespace pelage {
 namespace {
@@ -72,6 +76,40 @@ std::string load_warning(const Row& row) {
   if (share == row.provenance.end() || share->get<double>() <= most_other_share) return {};
   return fmt::format("{}: other processes took {:.0f}% of the machine's CPU time while this case was timed",
                      row.case_name, 100 * share->get<double>());
+}
+
+std::uint64_t peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::stoull(line.substr(6)) * 1024;
+  return 0;
+}
+
+void reset_peak_memory() {
+  malloc_trim(0);  // returns memory freed by earlier cases to the system
+  std::ofstream("/proc/self/clear_refs") << 5 << std::flush;
+}
+
+QuietMachine quiet_machine_from_text(const std::string& text) {
+  if (text.empty()) return QuietMachine::unchecked;
+  if (text == "warn") return QuietMachine::warn;
+  if (text == "require") return QuietMachine::require;
+  throw InputError(fmt::format("--quiet-machine '{}' is neither warn nor require", text));
+}
+
+std::optional<double> share_of_one_second() {
+  const CpuWatch watch;
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  return watch.other_share();
+}
+
+std::string disturbance(QuietMachine mode, const std::function<std::optional<double>()>& share) {
+  if (mode == QuietMachine::unchecked) return {};
+  std::optional<double> found = share();
+  const auto busy = [&] { return found && *found > most_other_share; };
+  for (int i = 1; mode == QuietMachine::require && busy() && i < most_waits; ++i) found = share();
+  if (!busy()) return {};
+  return fmt::format("other processes use {:.0f}% of the machine's CPU time", 100 * *found);
 }
 
 }  // namespace pelage

@@ -15,14 +15,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // standard error is 0, which does not prove that the times are equal.
 constexpr double kLeastError = 1e-9;
 
-/// Returns the quantile of Student's t-distribution. For infinitely many degrees of freedom, this
-/// distribution is the normal distribution.
+/// Quantile of Student's t-distribution, which is normal for infinitely many degrees of freedom.
 double t_quantile(double probability, double degrees) {
   if (std::isinf(degrees)) return boost::math::quantile(boost::math::normal(), probability);
   return boost::math::quantile(boost::math::students_t(degrees), probability);
 }
 
-/// Returns the probability that a variable with Student's t-distribution is outside [-t, t].
 double two_sided(double t, double degrees) {
   if (std::isinf(degrees)) return 2 * boost::math::cdf(boost::math::normal(), -t);
   return 2 * boost::math::cdf(boost::math::students_t(degrees), -t);
@@ -32,7 +30,6 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-/// Returns the estimated variance of the mean of independent values.
 double variance_of_mean(const std::vector<double>& values) {
   const double middle = mean(values);
   double sum = 0;
@@ -47,8 +44,8 @@ std::vector<double> log_medians(const Timings& timings) {
   return result;
 }
 
-/// The mean of the logarithms of the processes' medians, the variance of this mean, and the degrees of
-/// freedom of the variance. One object describes one set of timings.
+/// Of one set of timings: the mean of the logarithms of the processes' medians, its variance, and the degrees
+/// of freedom of the variance.
 struct Mean {
   double value = 0, variance = 0, degrees = 0;
 };
@@ -59,17 +56,15 @@ Mean mean_of(const Timings& timings) {
   if (medians.size() >= fewest_processes) return {mean(medians), variance_of_mean(medians), count - 1};
   double variance = 0;
   for (const auto& process : timings.processes) {
-    // A 95% interval is 2 * 1.96 = 3.92 standard deviations wide. The width of the interval divided by 3.92
-    // is therefore the standard deviation of the median.
+    // A 95% interval is 2 * 1.96 = 3.92 standard deviations wide.
     const double within = 2 * relative_half_width(process) / 3.92;
     variance += assumed_spread * assumed_spread + within * within;
   }
   return {mean(medians), variance / (count * count), kInfinity};
 }
 
-/// Returns one number for each pair of consecutive processes: the logarithm of the median of the process from
-/// b, minus the logarithm of the median of the process from a. Returns an empty list if the processes of the
-/// two sets did not take turns (see difference_of()).
+/// Returns the logarithm of b's median minus that of a's for each pair of consecutive processes; nothing if
+/// the processes did not take turns (difference_of()).
 std::vector<double> pairs_of(const Timings& a, const Timings& b) {
   const std::size_t count = a.processes.size();
   if (count < fewest_processes || b.processes.size() != count || a.started_s.size() != count ||
@@ -105,6 +100,14 @@ Limits limits_of(double threshold) {
   return {threshold < 1 ? std::log1p(-threshold) : -kInfinity, std::log1p(threshold)};
 }
 
+/// Returns the side of the limits on which the estimate is, and its distance from the nearest limit.
+std::pair<Side, double> place_of(const Difference& difference, const Limits& limits) {
+  const double above = difference.log_ratio - limits.high, below = limits.low - difference.log_ratio;
+  if (above > 0) return {Side::above, above};
+  if (below > 0) return {Side::below, below};
+  return {Side::within, std::min(-above, -below)};
+}
+
 }  // namespace
 
 double typical_ms(const Timings& timings) {
@@ -138,9 +141,8 @@ std::vector<Decision> decide(std::span<const Difference> differences, double thr
   decisions.reserve(differences.size());
   sides.reserve(differences.size());
   for (const Difference& d : differences) {
-    const double above = d.log_ratio - limits.high, below = limits.low - d.log_ratio;
-    sides.push_back(above > 0 ? Side::above : below > 0 ? Side::below : Side::within);
-    const double distance = above > 0 ? above : below > 0 ? below : std::min(-above, -below);
+    const auto [side, distance] = place_of(d, limits);
+    sides.push_back(side);
     decisions.push_back({Side::undecided, two_sided(distance / d.error, d.degrees), 0, {}});
   }
   std::vector<std::size_t> order(decisions.size());
@@ -170,9 +172,7 @@ std::size_t processes_needed(const Difference& difference, std::size_t processes
                              double threshold, double alpha, double power) {
   if (difference.assumed) return 0;
   const double share = alpha / double(std::max<std::size_t>(1, count));
-  const Limits limits = limits_of(threshold);
-  const double above = difference.log_ratio - limits.high, below = limits.low - difference.log_ratio;
-  const double distance = above > 0 ? above : below > 0 ? below : std::min(-above, -below);
+  const double distance = place_of(difference, limits_of(threshold)).second;
   const double deviation = difference.error * std::sqrt(double(processes));
   for (std::size_t n = fewest_processes; n <= 1000; ++n) {
     const double errors = t_quantile(1 - share / 2, double(n - 1)) + t_quantile(power, double(n - 1));

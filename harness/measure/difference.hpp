@@ -1,6 +1,6 @@
 // A statistical test of the difference between two sets of timings of one case. The test uses one value per
-// process, the median of its samples. Samples of one process share memory layout and clock rate, so they are
-// not independent.
+// process, the median of its samples, because samples of one process share memory layout and clock rate, so
+// they are not independent.
 #pragma once
 #include <span>
 #include <vector>
@@ -16,15 +16,13 @@ struct Timings {
   std::vector<double> started_s = {};
 };
 
-/// If a set has at least `fewest_processes` processes, the test estimates the variance between these
-/// processes. If it has fewer, the test assumes that the medians of the processes have the relative standard
-/// deviation `assumed_spread`. The times of separate processes in results/ have a relative standard deviation
-/// of 6.2% (experiments/claims.toml); `assumed_spread` is slightly larger.
+/// If a set has at least `fewest_processes` processes, the test estimates the variance between them. If it
+/// has fewer, the test assumes that their medians have the relative standard deviation `assumed_spread`. The
+/// times of separate processes in results/ have 6.2% (experiments/claims.toml).
 inline constexpr std::size_t fewest_processes = 3;
 inline constexpr double assumed_spread = 0.07;
 
-/// Returns the typical time of a case in ms: the geometric mean of the processes' medians. Each process needs
-/// at least one sample.
+/// Returns the geometric mean of the processes' medians in ms. Each process needs at least one sample.
 double typical_ms(const Timings& timings);
 
 /// An estimate of ln(b / a), where a and b are the typical times of the two sets.
@@ -36,12 +34,10 @@ struct Difference {
   bool assumed = false;  ///< whether `error` contains assumed_spread
 };
 
-/// Estimates the difference from the medians of the processes. If the processes of both sets took turns, the
-/// function uses the differences within pairs (paired t-test). Otherwise it uses the variances of both sets
-/// (Welch's t-test). To find out whether they took turns, the function sorts all processes by start time and
-/// divides them into pairs of consecutive processes. The processes took turns if both sets have the same
-/// number of processes, at least fewest_processes, and if each pair contains one process of each set. Each
-/// set needs at least one process with one sample.
+/// Estimates the difference from the medians of the processes: within pairs (paired t-test) if the processes
+/// of both sets took turns, otherwise with the variances of both sets (Welch's t-test). They took turns if
+/// both sets have the same number of processes, at least fewest_processes, and each pair of consecutive
+/// processes by start time contains one of each set. Each set needs at least one process with one sample.
 Difference difference_of(const Timings& a, const Timings& b);
 
 /// Returns the confidence interval of the ratio b / a at the level `confidence`, such as 0.95.
@@ -49,8 +45,7 @@ Interval ratio_interval(const Difference& difference, double confidence);
 
 enum class Side { below, within, above, undecided };
 
-/// The verdict for one difference: whether b / a is below, within or above the limits 1 - threshold and 1 +
-/// threshold.
+/// Whether b / a is below, within or above the limits 1 - threshold and 1 + threshold.
 struct Decision {
   Side side = Side::undecided;
   double p = 1;  ///< two-sided p-value for "b / a equals the nearest limit", before Holm's correction
@@ -58,22 +53,19 @@ struct Decision {
   Interval ratio;         ///< confidence interval of b / a at the level `confidence`
 };
 
-/// Decides for each difference whether b / a is below, within or above the limits. The probability that one
-/// or more of the decisions are wrong is at most `alpha` (Holm's method). If the threshold is 0, no decision
-/// is `within`.
+/// Decides for each difference. The probability that one or more of the decisions are wrong is at most
+/// `alpha` (Holm's method). If the threshold is 0, no decision is `within`.
 std::vector<Decision> decide(std::span<const Difference> differences, double threshold, double alpha);
 
 /// Returns the smallest relative increase from a to b (0.05 is 5%) that decide() detects with the probability
-/// `power` if it decides about `count` differences together. The function assumes the strictest step of
-/// Holm's method, in which the p-value must be at most alpha / count.
+/// `power` if it decides about `count` differences together, in the strictest step of Holm's method.
 double detectable_change(const Difference& difference, std::size_t count, double threshold, double alpha,
                          double power = 0.9);
 
-/// Returns the number of processes per set with which decide() would reach a decision with the probability
-/// `power`. decide() decides about `count` differences together. Each set has `processes` processes now. The
-/// function assumes that the estimated difference is the true difference, that the standard deviation of the
-/// processes' medians does not change, and that the processes take turns. Returns 0 if more than 1000
-/// processes are needed, or if the standard deviation is assumed, not measured.
+/// Returns the number of processes per set, now `processes`, with which decide() would reach a decision about
+/// one of `count` differences with the probability `power`, if the estimated difference is the true one, the
+/// standard deviation of the processes' medians does not change, and the processes take turns. Returns 0 if
+/// more than 1000 are needed, or if the standard deviation is assumed, not measured.
 std::size_t processes_needed(const Difference& difference, std::size_t processes, std::size_t count,
                              double threshold, double alpha, double power = 0.9);
 

@@ -5,13 +5,12 @@
 
 namespace pelage {
 
-/// Installs a signal handler. On SIGINT or SIGTERM, the handler prints a message to stderr and ends the
-/// process. If `place`, a file or a folder, exists when the signal arrives, the message contains `kept`,
-/// which says what is kept and how to continue. Call this function once per process.
+/// On SIGINT or SIGTERM, prints a message to stderr and ends the process. If `place`, a file or a folder,
+/// exists then, the message contains `kept`, which says what is kept and how to continue. Call it once per
+/// process.
 void end_on_interrupt(const std::string& place, const std::string& kept);
 
-/// Defers SIGINT and SIGTERM while at least one object of this class exists. If a signal arrives meanwhile,
-/// the process ends when the last object is destroyed.
+/// Defers SIGINT and SIGTERM while at least one object of this class exists.
 class HoldInterrupt {
  public:
   HoldInterrupt();

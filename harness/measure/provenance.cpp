@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "harness/hash.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {
@@ -36,6 +37,16 @@ std::string utc(const char* format) {
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), format, &parts);
   return text.data();
+}
+
+/// Returns the values of a field of /proc/cpuinfo, one for each CPU.
+std::vector<std::string> cpu_values(std::string_view field) {
+  std::ifstream stream("/proc/cpuinfo");
+  std::vector<std::string> values;
+  for (std::string line; std::getline(stream, line);)
+    if (const std::size_t colon = line.find(": "); line.starts_with(field) && colon != std::string::npos)
+      values.push_back(line.substr(colon + 2));
+  return values;
 }
 
 std::string os_name() {
@@ -65,15 +76,10 @@ double unix_time() {
 }
 
 double cpu_mhz() {
-  std::ifstream stream("/proc/cpuinfo");
+  const std::vector<std::string> cpus = cpu_values("cpu MHz");
   double sum = 0;
-  int count = 0;
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.starts_with("cpu MHz")) continue;
-    sum += std::strtod(line.c_str() + line.find(':') + 1, nullptr);
-    ++count;
-  }
-  return count > 0 ? sum / count : -1;
+  for (const std::string& mhz : cpus) sum += std::strtod(mhz.c_str(), nullptr);
+  return cpus.empty() ? -1 : sum / double(cpus.size());
 }
 
 std::string host_name() {
@@ -81,20 +87,6 @@ std::string host_name() {
   if (gethostname(name.data(), name.size() - 1) != 0) return "unknown";
   const std::string text = name.data();
   return text.substr(0, text.find('.'));
-}
-
-std::string cpu_model() {
-  std::ifstream stream("/proc/cpuinfo");
-  for (std::string line; std::getline(stream, line);)
-    if (line.starts_with("model name")) {
-      const std::size_t colon = line.find(':');
-      return colon == std::string::npos ? std::string{} : line.substr(colon + 2);
-    }
-  return {};
-}
-
-std::string governor() {
-  return first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
 }
 
 std::string file_name_of(const std::string& text) {
@@ -122,9 +114,10 @@ nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, boo
   utsname system{};
   if (uname(&system) == 0) json["os_kernel"] = std::string(system.sysname) + " " + system.release;
   json["os"] = os_name();
-  json["cpu"] = cpu_model();
+  const std::vector<std::string> cpus = cpu_values("model name");
+  json["cpu"] = cpus.empty() ? "" : cpus.front();
   json["cpus"] = sysconf(_SC_NPROCESSORS_ONLN);
-  json["governor"] = governor();
+  json["governor"] = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   return json;
 }
 
@@ -145,6 +138,15 @@ nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info) {
   json["timer"] = info.timer_resolution_ns > 0 ? "OpenCL events and the wall clock" : "the wall clock";
   json["timer_resolution_ns"] = info.timer_resolution_ns;
   return json;
+}
+
+void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs) {
+  for (const auto& [file, hash] : cl::hashes_by_file(programs)) identity[kernel_part + file] = hash;
+}
+
+std::string build_hash() {
+  const BuildInfo& build = build_info();
+  return Hash().text(build.compiler).text(build.flags).hex();
 }
 
 }  // namespace pelage

@@ -11,9 +11,7 @@
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/measure/event_times.hpp"
 #include "harness/measure/interrupt.hpp"
-#include "harness/measure/precision.hpp"
 #include "harness/measure/provenance.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/picture/image_io.hpp"
@@ -36,9 +34,8 @@ std::string picture_hash(const Picture& picture) {
       .hex();
 }
 
-/// Sets the status and the reason of a row of results. The status becomes `diverged` if the picture has
-/// values that are not finite, and `failed_check` if the row has no check or a check does not hold. Otherwise
-/// it stays `ok`.
+/// Sets the status and the reason of a row: `diverged` if the picture has values that are not finite,
+/// `failed_check` if the row has no check or a check does not hold.
 void judge(Row& row, const Picture& picture) {
   if (!finite(picture)) {
     row.status = Status::diverged;

@@ -1,5 +1,4 @@
-// Runs the cases of an experiment one after the other and appends one row of results per case to the journal.
-// The identity of a row consists of hashes of everything that determines the measurement.
+// Runs the cases of an experiment one after the other and appends one row per case to the journal.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -15,14 +14,14 @@ struct RunPlan {
   int repeat = 0;
   std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
-  /// Returns the identity of a case without the parts that the subject's describe() adds. May throw
-  /// InputError. If this function is empty, a row gets only the parts that describe() adds.
+  /// Returns the identity of a case without the parts that the subject's describe() adds. May be empty, may
+  /// throw InputError.
   std::function<Identity(const Case&)> identity;
   /// Returns the entry `settings` of the provenance of a case: the scene keys that differ from their
-  /// defaults. May throw InputError. If this function is empty, the row has no such entry.
+  /// defaults. May be empty, may throw InputError.
   std::function<nlohmann::ordered_json(const Case&)> settings;
-  /// Time limit of the run in seconds. No case starts after this limit. The timed frames of a case take at
-  /// most the remaining time of the run divided by the number of remaining cases, including this case.
+  /// Time limit of the run in seconds, after which no case starts. The timed frames of a case take at most
+  /// the remaining time of the run divided by the number of remaining cases, including this case.
   double budget_s = std::numeric_limits<double>::infinity();
   std::filesystem::path images;       ///< folder for the pictures; if empty, no pictures are written
   std::string image_suffix;           ///< added to a picture's file name, to distinguish devices
@@ -37,21 +36,18 @@ struct RunListener {
   std::function<void(std::size_t index, const Row&)> finished;
 };
 
-/// Numbers of cases. `kept` cases already had a row in the journal. `left` cases did not start, because the
-/// time limit was reached or because RunListener::may_start returned false. All other cases ran: `ok` cases
-/// have the status `ok` or `unsupported`, and `not_ok` cases have another status. `disturbed` is true if
-/// RunListener::may_start returned false.
+/// Numbers of cases: `ok` with the status ok or unsupported, `kept` that already had a row in the journal,
+/// `not_ok` with another status, and `left` that did not start because of the time limit or may_start.
+/// `disturbed` is true if RunListener::may_start returned false.
 struct RunSummary {
   std::size_t ok = 0, kept = 0, not_ok = 0, left = 0;
   bool disturbed = false;
 };
 
-/// Returns the key that this case's row will have in the journal.
 std::string planned_key(const RunPlan& plan, const Case& which);
 
 /// Runs one case: prepares it, takes samples, reads the timed frame back and checks it. Errors of the case or
-/// of the device are not thrown; they set the status and the reason of the row. Only rows with the status
-/// `ok` contain samples.
+/// of the device set the status and the reason of the row. Only rows with the status `ok` contain samples.
 Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limits, const MakeSubject& make);
 
 /// Runs all cases that are not yet in the journal. Throws InputError if the journal cannot be written.

@@ -24,10 +24,9 @@ std::vector<double> sorted(std::span<const double> values) {
 /// there is no such r.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
-  // Let m be the median of the distribution. The number X of values below m is binomially distributed.
+  // The number X of values below the median m is binomially distributed.
   const boost::math::binomial_distribution<double> below(double(n), 0.5);
-  // m is below x_(r) if X is at most r, so the probability that m is below x_(r) is P(X <= r). By symmetry, m
-  // is above x_(n-1-r) with the same probability.
+  // m is below x_(r) with the probability P(X <= r), and above x_(n-1-r) with the same probability.
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
     if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
     rank = std::ptrdiff_t(r);
@@ -126,6 +125,12 @@ Metric median_metric(std::span<const double> values, const std::string& unit) {
 
 Metric median_ratio(std::span<const double> a, std::span<const double> b) {
   return median_metric(ratios_by_round(a, b), "times");
+}
+
+bool is_precise(const Row& row) {
+  const std::vector<double> times = frame_ms(row);
+  const double asked = row.provenance.value("precision", 1.0);
+  return has_median_interval(times.size()) && relative_half_width(times) <= (asked < 1 ? asked : 0.02);
 }
 
 }  // namespace pelage

@@ -1,5 +1,4 @@
 // The interface of everything that an experiment can time, such as a pipeline that draws frames of a case.
-// The shell pipeline, the baselines and tests implement it.
 #pragma once
 #include <any>
 #include <functional>
@@ -19,14 +18,12 @@
 
 namespace pelage {
 
-/// Thrown if the device or the pipeline cannot run this case. The case's row of results gets the status
-/// `unsupported`, which is not a failure.
+/// Thrown if the device or the pipeline cannot run this case. Its row gets the status `unsupported`.
 struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown if the simulation of the case diverges. The case's row of results gets the status `diverged` with
-/// the message as its reason.
+/// Thrown if the simulation of the case diverges. Its row gets the status `diverged` with the message.
 struct OutOfBounds : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -35,16 +32,13 @@ class Subject {
  public:
   virtual ~Subject() = default;
   virtual FrameSample frame() = 0;  ///< runs and times the next frame
-  /// Reads the picture of the last frame back from its buffer; does not draw it again. The picture is empty
-  /// if the subject draws nothing.
+  /// Reads the picture of the last frame back without drawing it again; empty if the subject draws nothing.
   virtual Picture read() = 0;
-  /// Compares the timed frame with results that count as correct, such as the reference renderer's picture.
-  /// `timed` is the picture that read() returned. The row gets the status `ok` only if there is at least one
-  /// check and all checks hold.
+  /// Compares the timed frame, of which read() returned the picture `timed`, with results that count as
+  /// correct. The row gets the status `ok` only if there is at least one check and all checks hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
-  /// Sets build_ms, tuning and metrics of `row`. Adds the hashes of mesh, kernels and scene to
-  /// row.provenance, and the hashes of the OpenCL programs and shaders that ran to row.identity. Metrics may
-  /// be computed from row.samples, which is already filled.
+  /// Sets build_ms, tuning and metrics of `row`, whose samples are already filled. Adds the hashes of mesh,
+  /// kernels and scene to row.provenance, and those of OpenCL programs and shaders to row.identity.
   virtual void describe(Row& row) = 0;
 };
 
@@ -58,8 +52,7 @@ struct SubjectContext {
   std::map<std::string, int> tuning;                 ///< values of the kernels' tuning parameters
   std::function<void(const std::string&)> progress;  ///< receives progress messages of slow steps
   SceneMeshes meshes;
-  /// Cache of computed values that later cases use again, for example the exact solution of a simulation. The
-  /// code that adds a value chooses the key of the value.
+  /// Computed values that later cases use again, for example the exact solution of a simulation.
   std::map<std::string, std::any> shared;
 
   std::shared_ptr<const Mesh> mesh_of(const Scene& scene) { return meshes.of(scene, progress); }

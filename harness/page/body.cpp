@@ -5,17 +5,81 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <map>
 
 #include "harness/claims/print.hpp"
 #include "harness/measure/statistics.hpp"
-#include "harness/page/html.hpp"
 #include "harness/page/page.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
+
+/// An entry of the table of contents.
+struct Entry {
+  std::string id, title;
+  int level = 1;            ///< 1 for a chapter, 2 for a section of a chapter
+  std::string detail = {};  ///< distinguishes entries that have the same title
+};
+
+/// Collects the HTML text of the page and the entries of its table of contents.
+class Body {
+ public:
+  void add(const std::string& html) { html_ += html; }
+
+  /// Adds a heading and its entry in the table of contents. Level 1 becomes an h2 element, level 2 an h3
+  /// element.
+  void heading(const std::string& title, int level, const std::string& detail = {}) {
+    const std::string id = fmt::format("s{}", entries_.size() + 1);
+    html_ += fmt::format("<h{0} id=\"{1}\">{2}</h{0}>\n", level + 1, id, html_text(title));
+    entries_.push_back({id, title, level, detail});
+  }
+
+  /// Adds a paragraph in a softer colour, unless the text is empty.
+  void remark(const std::string& text) {
+    if (!text.empty()) html_ += fmt::format("<p class=\"soft\">{}</p>\n", html_text(text));
+  }
+
+  /// Adds a button that saves the named file from the page's data.
+  void save_button(const std::string& file, const std::string& label) {
+    html_ += fmt::format("<button type=\"button\" class=\"scripted\" data-file=\"{}\">{}</button>\n",
+                         html_text(file), html_text(label));
+  }
+
+  /// Adds a "details" element, which shows the text after a click on the title.
+  void folded(const std::string& title, const std::string& text) {
+    html_ += fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", html_text(title),
+                         html_text(text));
+  }
+
+  const std::string& html() const { return html_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::string html_;
+  std::vector<Entry> entries_;
+};
+
+/// Returns the table of contents as nested HTML lists of links. If several entries have the same title, their
+/// links also show Entry::detail.
+std::string contents_of(const std::vector<Entry>& entries) {
+  std::string html = "<ul>\n";
+  int level = 1;
+  for (const Entry& entry : entries) {
+    if (&entry != &entries.front()) html += entry.level > level ? "<ul>\n" : "</li>\n";
+    if (entry.level < level) html += "</ul></li>\n";
+    level = entry.level;
+    const auto same = std::count_if(entries.begin(), entries.end(),
+                                    [&](const Entry& other) { return other.title == entry.title; });
+    std::string title = html_text(entry.title);
+    if (same > 1 && !entry.detail.empty())
+      title += fmt::format(" <span class=\"soft\">({})</span>", html_text(entry.detail));
+    html += fmt::format("<li><a href=\"#{}\">{}</a>", entry.id, title);
+  }
+  if (!entries.empty()) html += "</li>\n";
+  if (level > 1) html += "</ul></li>\n";
+  return html + "</ul>\n";
+}
 
 /// Returns the bytes as Base64 (RFC 4648), with padding.
 std::string base64(std::string_view bytes) {
@@ -48,8 +112,7 @@ void add_plot(Body& body, const Report& report, const ReportPlot& plot, const st
   body.add("</p>\n</figure>\n");
 }
 
-/// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ". If there is no such part, returns
-/// the name of the experiment.
+/// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ", or else the name of the experiment.
 std::string detail_of(const std::string& subtitle) {
   const std::size_t comma = subtitle.find(", ");
   return comma == std::string::npos ? subtitle.substr(0, subtitle.find(" on ")) : subtitle.substr(comma + 2);
@@ -101,7 +164,7 @@ void add_report(Body& body, const Report& report) {
       if (std::erase_if(others, [&](const ReportPlot& drawn) { return drawn.stem == plot.stem; }) > 0)
         add_plot(body, report, {plot.title, plot.stem}, section.table.stem + ".csv");
   }
-  if (!report.solvers.empty()) add_table(body, table_of(report.solvers), false);
+  if (!report.solvers.lines.empty()) add_table(body, report.solvers, false);
   for (const ReportPlot& plot : others) {
     body.heading(plot.title, 2);
     add_plot(body, report, plot, plot.stem + ".csv");
@@ -113,8 +176,7 @@ void add_report(Body& body, const Report& report) {
   add_claims(body, report);
 }
 
-/// Adds the pictures, and an empty element. In this element, web/gallery.js shows two pictures for
-/// comparison.
+/// Adds the pictures, and an empty element in which web/gallery.js shows two pictures for comparison.
 void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts& parts) {
   if (parts.pictures.empty()) return;
   body.heading("Pictures of the timed frames", 1);

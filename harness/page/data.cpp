@@ -1,14 +1,9 @@
-// Writes the JSON data that the scripts of the HTML report read. A cell is the combined result of one case
-// (harness/report/cells.hpp).
-#include <fmt/format.h>
+// Writes the JSON data that the scripts of the HTML report read.
 
 #include <nlohmann/json.hpp>
 
-#include "harness/claims/print.hpp"
 #include "harness/page/page.hpp"
 #include "harness/report/case_table.hpp"
-#include "harness/report/scaling.hpp"
-#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
@@ -23,8 +18,8 @@ std::string label_of(const Cell& cell) {
   return text;
 }
 
-/// Returns the cells of one report as JSON, with the indices of their rows. The page has one list of the rows
-/// of all reports. `first` is the index of this report's first row in that list.
+/// Returns the cells of one report with the indices of their rows. `first` is the index of this report's
+/// first row in the page's list of all rows.
 Json cells_json(const Report& report, std::size_t first) {
   Json cells = Json::array();
   for (const Cell& cell : report.cells) {
@@ -39,33 +34,15 @@ Json cells_json(const Report& report, std::size_t first) {
   return cells;
 }
 
-/// Returns the files that readers can save from the page, as a map from file name to text.
-Json files_json(const Report& report) {
-  Json files = Json::object();
-  for (const Section& section : report.sections) {
-    files[section.table.stem + ".csv"] = csv_of(section.table);
-    files[section.table.stem + ".tex"] = latex_of(section.table);
-  }
-  if (!report.solvers.empty()) files["topology-solvers-ratios.csv"] = csv_of(report.solvers);
-  if (const auto cells = scaling_cells(report.cells); !cells.empty())
-    files["scaling.csv"] = scaling_csv(cells);
-  if (!report.claims.empty()) {
-    std::string csv;
-    for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
-    files["claims.csv"] = std::move(csv);
-  }
-  files["references.bib"] = bibliography_of(report.rows);
-  files["provenance.txt"] = provenance_of(report.rows);
-  return files;
-}
-
 }  // namespace
 
 std::string data_of(const std::vector<Report>& reports) {
   Json parts = Json::array();
   std::size_t rows = 0;
   for (const Report& report : reports) {
-    parts.push_back({{"cells", cells_json(report, rows)}, {"files", files_json(report)}});
+    Json files = Json::object();
+    for (const auto& [name, file] : report.files) files[name] = file;
+    parts.push_back({{"cells", cells_json(report, rows)}, {"files", files}});
     rows += report.rows.size();
   }
   std::string text =
@@ -83,12 +60,7 @@ std::string data_of(const std::vector<Report>& reports) {
   // same meaning.
   std::string escaped;
   escaped.reserve(text.size() + text.size() / 50);
-  for (const char c : text) {
-    if (c == '<')
-      escaped += "\\u003c";
-    else
-      escaped += c;
-  }
+  for (const char c : text) escaped += c == '<' ? std::string_view("\\u003c") : std::string_view(&c, 1);
   return escaped;
 }
 

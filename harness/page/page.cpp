@@ -16,8 +16,7 @@ namespace {
 /// pelage's own scripts in the page, in the order in which they run.
 constexpr const char* own_scripts[] = {"base.js", "tables.js", "rows.js", "gallery.js"};
 
-/// Returns the text of one of the scripts or styles of the page. They are in harness/page/web, or in
-/// share/pelage/page of an installation.
+/// Returns the text of a script or style of the page, from harness/page/web or an installation's page/.
 std::string web_file(const std::string& name) {
   for (const std::filesystem::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
     for (const char* folder : {"page", "harness/page/web"}) {
@@ -27,9 +26,7 @@ std::string web_file(const std::string& name) {
   throw InputError(fmt::format("page/{} is missing; set PELAGE_DATA to pelage's data folder", name));
 }
 
-/// Returns 128 random bits as hexadecimal digits. The page's Content-Security-Policy permits only scripts
-/// whose attribute `nonce` is this number. Every page has a new random number, so a script hidden in the
-/// results cannot know it.
+/// Returns 128 random bits as hexadecimal digits, which a script hidden in the results cannot know.
 std::string new_nonce() {
   std::random_device random;
   std::string text;

@@ -1,10 +1,9 @@
-#include "harness/page/pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "harness/page/page.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/report/case_table.hpp"
 
@@ -37,16 +36,15 @@ std::vector<Source> sources_of(const std::vector<Report>& reports) {
   return sources;
 }
 
-/// Reads the pictures, scales wider pictures down to a width of `width` pixels and compresses all pictures.
-/// If a picture cannot be read, removes it from `sources` and adds a note.
+/// Reads the pictures, scales them down to at most `width` pixels and compresses them. If a picture cannot be
+/// read, removes it from `sources` and adds a note.
 std::vector<PagePicture> pictures_of(std::vector<Source>& sources, int width, int quality,
                                      std::vector<std::string>& notes) {
   std::vector<PagePicture> pictures;
   std::erase_if(sources, [&](const Source& source) {
     try {
-      const Picture full = read_picture(source.file), small = reduced(full, width);
-      pictures.push_back(
-          {source.report, source.cell, small.width, small.height, full.width, webp_of(small, quality)});
+      const Picture small = reduced(read_picture(source.file), width);
+      pictures.push_back({source.report, source.cell, small.width, small.height, webp_of(small, quality)});
       return false;
     } catch (const InputError& error) {
       notes.push_back(fmt::format("a picture is missing from the page: {}", error.what()));
@@ -68,8 +66,7 @@ std::vector<PagePicture> page_pictures(const std::vector<Report>& reports, const
                                        std::vector<std::string>& notes) {
   std::vector<Source> sources = sources_of(reports);
   // The first guess of the width assumes that a compressed picture takes 0.1 bytes per pixel and that its
-  // height is 0.7 times its width. If both assumptions are right, all pictures together take limits.bytes
-  // bytes.
+  // height is 0.7 times its width.
   const double guess =
       std::sqrt(double(limits.bytes) / (0.07 * double(std::max<std::size_t>(1, sources.size()))));
   int width = int(std::clamp(guess, double(limits.least_width), double(limits.most_width)));

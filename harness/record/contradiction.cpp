@@ -1,4 +1,3 @@
-// Refuses rows whose fields contradict each other. A row is the recorded result of a case.
 #include "harness/record/contradiction.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +9,6 @@
 
 #include "harness/base/median.hpp"
 #include "harness/hash.hpp"
-#include "harness/record/part_hashes.hpp"
 #include "harness/record/ratios.hpp"
 
 namespace pelage {
@@ -22,15 +20,14 @@ using Times = std::vector<double>;
 /// drift.
 constexpr double most_event_share = 1.1;
 
-/// The largest permitted CPU time is most_cpu_share * (number of CPUs) * (wall time) + cpu_margin_ms. CPU
-/// time is measured over a slightly longer interval than wall time.
+/// The largest permitted CPU time is most_cpu_share * (number of CPUs) * (wall time) + cpu_margin_ms, because
+/// it is measured over a slightly longer interval than wall time.
 constexpr double most_cpu_share = 1.5, cpu_margin_ms = 20;
 
 /// The smallest number of samples for which a 95% interval of the median exists (see median_interval()).
 constexpr std::size_t fewest_converged = 6;
 
-/// Largest permitted relative difference between a recorded metric and the value computed from the row's
-/// times.
+/// Largest permitted relative difference between a recorded and a computed metric.
 constexpr double rounding = 1e-6;
 
 bool equal(double a, double b) {
@@ -42,8 +39,7 @@ bool equal(double a, double b) {
 constexpr std::array<WeakestLimit, 3> kWeakest{
     {{"psnr", 55, true}, {"p99.9", 2.0 / 255, false}, {"flips", 1e-3, false}}};
 
-/// Throws InputError if the limit of a picture's check is weaker than the limit in kWeakest, or if the check
-/// compares in the other direction ("at most" instead of "at least").
+/// Refuses a limit weaker than in kWeakest, and a check in the other direction ("at most" for "at least").
 void refuse_weakened(const Check& check) {
   for (const WeakestLimit& weakest : kWeakest) {
     if (check.metric != weakest.metric || check.against == "experiment") continue;
@@ -72,8 +68,6 @@ void refuse_list(const std::string& name, const Times& times, std::size_t frames
       throw InputError(fmt::format("one of the {} is {} ms", name, ms));
 }
 
-/// Throws InputError if the event times of a frame's phases do not add up to the frame's event time, or if
-/// the frames' median event time exceeds most_event_share times their median wall time.
 void refuse_events(const Row& row, const PhaseSamples& frame) {
   Times sums(frame.event_ms.size(), 0);
   for (const auto& [phase, times] : row.samples) {
@@ -122,8 +116,6 @@ void refuse_times(const Row& row) {
         fmt::format("the row says that its median converged, but it has only {} timed frames", frames));
 }
 
-/// Computes the metrics that depend on the row's times. Throws InputError if a recorded metric differs from
-/// the computed metric.
 void refuse_metrics(const Row& row) {
   const Times& frame = row.samples.at("frame").wall_ms;
   const auto demand = [&](const std::string& name, double computed) {
@@ -145,8 +137,8 @@ bool is_hash(const std::string& text) {
   return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Throws InputError if the hash of the part `part` in the row's identity differs from `hash`. The caller
-/// computes `hash` from the field `field` of the row. If `hash` is empty, the row does not have this field.
+/// Refuses a hash in the identity that differs from `hash`, which follows from the field `field` of the row
+/// and is empty if the row does not have this field.
 void refuse_part(const Row& row, const std::string& part, const std::string& hash, const char* field) {
   const auto found = row.identity.find(part);
   if (found == row.identity.end() || hash.empty() || found->second == hash) return;
@@ -162,7 +154,6 @@ void refuse_identity(const Row& row) {
     throw InputError(fmt::format("image_hash is '{}', not a hash", row.image_hash));
 }
 
-/// Throws InputError if the hashes in the row's identity disagree with other fields of the row.
 void refuse_parts(const Row& row) {
   refuse_part(row, "scene", provenance_text(row, "scene_hash"), "scene_hash");
   refuse_part(row, "mesh", provenance_text(row, "mesh_hash"), "mesh_hash");

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "harness/error.hpp"
-#include "harness/record/all_results.hpp"
 
 namespace pelage {
 namespace {
@@ -24,15 +23,6 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("{}: {}: {}", file.string(), what, std::strerror(code)));
 }
 
-/// Syncs a folder to the disk. A new file in it is durable only after this sync.
-void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) fail(folder, "cannot open the folder", errno);
-  const int code = ::fsync(descriptor) == 0 ? 0 : errno;
-  ::close(descriptor);
-  if (code != 0 && code != EINVAL) fail(folder, "cannot sync the folder", code);
-}
-
 /// Creates `folder` and its missing parents. Syncs the parent of each folder that it creates.
 void make_folder(const fs::path& folder) {
   if (folder.empty() || fs::is_directory(folder)) return;
@@ -41,7 +31,7 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directory(folder, error);
   if (error) fail(folder, "cannot create the folder", error.value());
-  sync_folder(parent.empty() ? fs::path(".") : parent);
+  sync(parent.empty() ? fs::path(".") : parent);
 }
 
 struct Contents {
@@ -94,6 +84,13 @@ std::string read_text(const fs::path& file) {
 
 }  // namespace
 
+void sync(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int code = descriptor >= 0 && ::fsync(descriptor) == 0 ? 0 : errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (code != 0 && code != EINVAL) fail(path, "cannot be synced", code);  // some file systems sync no folders
+}
+
 JournalCalls system_calls() {
   return {::write, ::fdatasync, ::ftruncate};
 }
@@ -111,7 +108,7 @@ Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(fi
             file.string()));
       fail(file, "cannot be locked", errno);
     }
-    if (!existed) sync_folder(file.parent_path().empty() ? fs::path(".") : file.parent_path());
+    if (!existed) sync(file.parent_path().empty() ? fs::path(".") : file.parent_path());
     Contents contents = parse(file, read_text(file));
     if (contents.journal.torn > 0) {
       if (mode == Mode::fresh)
@@ -181,10 +178,6 @@ void Journal::write_all(const std::string& text) {
 
 JournalContents read_contents(const fs::path& file) {
   return parse(file, read_text(file)).journal;
-}
-
-std::vector<Row> read_journal(const fs::path& file) {
-  return read_contents(file).rows;
 }
 
 }  // namespace pelage

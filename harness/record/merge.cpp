@@ -3,20 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "harness/error.hpp"
-#include "harness/record/part_hashes.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of the journal to which a row is written, relative to the folder that the merge creates.
+/// The journal to which a row is written, relative to the folder that the merge creates.
 fs::path journal_of(const FoundRow& found) {
   return fs::path(found.row.experiment) / (journal_name(found.journal).stem + ".jsonl");
 }
@@ -37,9 +35,8 @@ void refuse_odd_names(const FoundRow& found) {
                       found.journal.string(), name));
 }
 
-/// Returns the properties that must be equal in all rows of a run, even if the rows have different cases.
-/// They are the preset, the CPU, the driver, the schema, and those hashes of Row::identity that do not depend
-/// on the case. Rows with the status error may lack some of these properties.
+/// Returns the properties that must be equal in all rows of a run, even of different cases. Rows with the
+/// status error may lack some of them.
 std::map<std::string, std::string> common_of(const Row& row) {
   std::map<std::string, std::string> common;
   for (const auto& [part, hash] : row.identity)
@@ -105,8 +102,6 @@ class Target {
   std::map<std::pair<std::string, std::string>, std::pair<std::string, const FoundRow*>> common_;
 };
 
-/// Returns the rows that the merge keeps. A row with the status error is dropped if another row of the same
-/// case replaces it.
 std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   std::map<std::string, const FoundRow*> latest;  // key -> the row to keep
   for (const FoundRow& found : rows) {
@@ -122,27 +117,6 @@ std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   return kept;
 }
 
-/// Divides the rows into groups. All rows of a group are written into the same folder. Each group contains
-/// rows of only one journal. If rows of a journal conflict with each other, the journal is divided into
-/// several groups without conflicts.
-std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>& rows) {
-  std::vector<fs::path> journals;
-  std::map<fs::path, std::vector<std::pair<Target, std::vector<const FoundRow*>>>> parts;
-  for (const FoundRow& found : rows) {
-    if (!parts.contains(found.journal)) journals.push_back(found.journal);
-    auto& own = parts[found.journal];
-    auto place =
-        std::find_if(own.begin(), own.end(), [&](const auto& part) { return !part.first.conflict(found); });
-    if (place == own.end()) place = own.emplace(own.end());
-    place->first.add(found);
-    place->second.push_back(&found);
-  }
-  std::vector<std::vector<const FoundRow*>> groups;
-  for (const fs::path& journal : journals)
-    for (const auto& [unused, group] : parts.at(journal)) groups.push_back(group);
-  return groups;
-}
-
 }  // namespace
 
 Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
@@ -155,7 +129,7 @@ Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
   merge.replaced = rows.size() - kept.size();
   std::vector<Target> targets;
   std::vector<std::set<std::string>> differs;
-  for (const std::vector<const FoundRow*>& group : groups_of(kept)) {
+  for (const std::vector<const FoundRow*>& group : groups_of<Target>(kept)) {
     std::size_t place = 0;
     std::set<std::string> names;
     for (; place < targets.size(); ++place) {

@@ -1,11 +1,8 @@
 // Writes the merged journals and pictures into the folder that `pelage merge` creates.
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -36,16 +33,6 @@ void copy_picture(const fs::path& from, const fs::path& to) {
     place = to.parent_path() / fmt::format("{}@{}.png", to.stem().string(), i);
   }
   fs::copy_file(from, place);
-}
-
-/// Flushes the content of a file, or the list of names in a folder, to the disk.
-void sync(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-  const int code = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (!synced && code != EINVAL)  // some file systems cannot sync folders
-    throw InputError(fmt::format("{}: cannot be synced: {}", path.string(), std::strerror(code)));
 }
 
 void write_journals(const Merge& merge, const fs::path& folder) {

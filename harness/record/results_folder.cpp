@@ -8,7 +8,7 @@
 #include <set>
 
 #include "harness/error.hpp"
-#include "harness/record/all_results.hpp"
+#include "harness/record/journal.hpp"
 
 namespace pelage {
 
@@ -16,14 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns a text that identifies the measurement of a row: the run, the device and the row's key. If two
-/// rows have the same text but are not equal, somebody has changed one of them.
+/// Two rows with the same text that are not equal: somebody has changed one of them.
 std::string measurement_of(const Row& row) {
   return fmt::format("{}|{}|{}", row.run_id, row.device, row_key(row));
 }
 
-/// Finds exact and changed copies among the rows read so far. A row is a copy of another row if both have the
-/// same measurement_of() or the same frame times.
+/// Finds exact and changed copies among the rows read so far: rows with the same measurement_of() or frame
+/// times.
 class Known {
  public:
   /// Returns the earlier row of which `row` is an exact copy, or null if there is none. Throws InputError if
@@ -54,17 +53,14 @@ class Known {
   }
 
  private:
-  /// The times of a row are compared with those of other rows only if the row has at least this number of
-  /// frame times. A single time may be equal in two measurements by chance, because clocks have a limited
-  /// resolution.
+  /// Least number of frame times to compare. A single time may be equal by chance, because clocks have a
+  /// limited resolution.
   static constexpr std::size_t fewest_times = 2;
 
   std::map<std::string, std::size_t> measurements_;   // measurement_of() -> index of the row
   std::map<std::vector<double>, std::size_t> times_;  // frame times -> index of the row
 };
 
-/// Adds an entry to `into` for each replaced row of a journal, and for an incomplete last line. If the
-/// journal has no complete row, adds one more entry for the whole journal.
 void list_rest(const fs::path& journal, const JournalContents& contents, std::vector<LeftOut>& into) {
   for (const Row& row : contents.replaced)
     into.push_back({row.experiment, row.case_name, journal.string(),

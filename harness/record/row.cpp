@@ -4,10 +4,10 @@
 #include <zlib.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "harness/base/numbers.hpp"
 #include "harness/record/contradiction.hpp"
 #include "harness/record/ratios.hpp"
 
@@ -32,9 +32,8 @@ std::string checksum(std::string_view text) {
 
 /// Returns a JSON number if `text` is a number ("16" becomes 16), else a JSON string.
 Json typed(const std::string& text) {
-  double number = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return text;
+  const std::optional<double> number = double_of(text);
+  if (!number || !std::isfinite(*number)) return text;
   Json parsed = Json::parse(text, nullptr, false);
   return parsed.is_number() && parsed.dump() == text ? parsed : Json(text);
 }
@@ -55,7 +54,7 @@ std::map<std::string, std::string> strings(const Json& values) {
   return result;
 }
 
-/// Returns `value` as a JSON number. Infinity and NaN become JSON strings, because JSON has no such numbers.
+/// Infinity and NaN become JSON strings, because JSON has no such numbers.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
 }
@@ -80,10 +79,10 @@ Metric metric_from(const Json& json) {
   return result;
 }
 
-/// Returns the value as a whole number. Throws InputError if it is not a whole number from 0 to `most`.
-/// Without these tests, Json::get() would convert 2.7 to 2, and would convert a number above the range of int
-/// to a wrong number.
-int whole(const Json& json, int most) {
+/// Returns the value as a whole number of at least 0. Json::get() would convert 2.7 to 2, and a number above
+/// the range of int to a wrong number.
+int whole(const Json& json) {
+  constexpr int most = std::numeric_limits<int>::max();
   if (!json.is_number_integer() || json.get<double>() < 0 || json.get<double>() > most)
     throw InputError(fmt::format("the row contains {} in place of a whole number of 0 to {}",
                                  json.dump().substr(0, 40), most));
@@ -107,8 +106,7 @@ void check_provenance(const Json& provenance) {
 
 constexpr int deepest = 32;  // largest permitted depth of nested JSON values in a row
 
-/// Parses a row. Throws InputError for deeply nested values, because copying and printing such values would
-/// overflow the stack.
+/// Refuses deeply nested values, because copying and printing them would overflow the stack.
 Json parsed(const std::string& text) {
   return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
     if (depth > deepest)
@@ -117,8 +115,14 @@ Json parsed(const std::string& text) {
   });
 }
 
+std::optional<Status> status_from_text(std::string_view text) {
+  for (const auto& [value, name] : kStatus)
+    if (name == text) return value;
+  return {};
+}
+
 Row row_from_json(const Json& json) {
-  const int schema = whole(json.at("schema"), std::numeric_limits<int>::max());
+  const int schema = whole(json.at("schema"));
   if (schema < 1 || schema > kRowSchema)
     throw NewerSchema(fmt::format("the row has schema {}; this version of pelage reads schemas 1 to {}",
                                   schema, kRowSchema));
@@ -132,7 +136,7 @@ Row row_from_json(const Json& json) {
   row.overrides = strings(json.at("overrides"));
   json.at("device").get_to(row.device);
   if (schema > 1) json.at("identity").get_to(row.identity);
-  row.repeat = whole(json.at("repeat"), std::numeric_limits<int>::max());
+  row.repeat = whole(json.at("repeat"));
   const auto status = status_from_text(json.at("status").get<std::string>());
   if (!status) throw InputError(fmt::format("unknown status '{}'", json.at("status").get<std::string>()));
   row.status = *status;
@@ -147,8 +151,7 @@ Row row_from_json(const Json& json) {
   for (const auto& [name, metric] : json.at("metrics").items()) row.metrics[name] = metric_from(metric);
   json.at("build_ms").get_to(row.build_ms);
   json.at("first_launch_ms").get_to(row.first_launch_ms);
-  for (const auto& [axis, value] : json.at("tuning").items())
-    row.tuning[axis] = whole(value, std::numeric_limits<int>::max());
+  for (const auto& [axis, value] : json.at("tuning").items()) row.tuning[axis] = whole(value);
   json.at("image_hash").get_to(row.image_hash);
   row.provenance = json.at("provenance");
   check_provenance(row.provenance);
@@ -163,12 +166,6 @@ std::string_view to_text(Status status) {
   for (const auto& [value, text] : kStatus)
     if (value == status) return text;
   return "error";
-}
-
-std::optional<Status> status_from_text(std::string_view text) {
-  for (const auto& [value, name] : kStatus)
-    if (name == text) return value;
-  return {};
 }
 
 std::string row_key(const Row& row) {

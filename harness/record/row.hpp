@@ -1,11 +1,8 @@
-// One row of results: one case on one device, as one line of JSON. The cases of an experiment are the
-// combinations of the values of its axes (the quantities that it varies, such as the model). A phase is a
-// part of the timed work, such as `simulate`, or the whole frame. docs/results.md describes every field.
+// One row of results: one case on one device, as one line of JSON. docs/results.md describes every field.
 #pragma once
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +19,7 @@ inline constexpr int kRowSchema = 3;
 
 enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 
-std::string_view to_text(Status status);                        ///< "ok", "failed-check", ...
-std::optional<Status> status_from_text(std::string_view text);  ///< empty if `text` is not a status
+std::string_view to_text(Status status);  ///< "ok", "failed-check", ...
 
 /// Measured times of one phase in milliseconds, in the order of measurement. `wall_ms` is empty for a phase
 /// within a frame, which has no separate wall time. `event_ms` is empty if the device has no usable timer.
@@ -33,9 +29,9 @@ struct PhaseSamples {
   std::vector<double> event_ms, wall_ms, cpu_ms = {};
 };
 
-/// A measured number, or a number printed in a paper. A printed number has a relation: "=", "<", "about" or
-/// "range". It represents the interval from `low` to `high`; for instance, 267 fps represents 266.5 to 267.5
-/// fps. `low` or `high` is empty if the paper does not give this limit.
+/// A measured number, or a number printed in a paper. A printed number has a relation ("=", "<", "about" or
+/// "range") and represents an interval; for instance, 267 fps represents 266.5 to 267.5 fps. `low` or `high`
+/// is empty if the paper does not give this limit.
 struct Metric {
   double value = 0;
   std::string unit;
@@ -49,7 +45,7 @@ struct Row {
   std::string experiment;
   std::string case_name;
   std::string variant;  ///< name of the timed variant, such as "shells/tile"
-  /// Maps each axis of the experiment to its value in this case. to_line() writes numbers as JSON numbers.
+  /// Axis -> value in this case. to_line() writes numbers as JSON numbers.
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string>
       overrides;  ///< values of --set, --axis and --model; empty if the experiment was not changed
@@ -71,8 +67,8 @@ struct Row {
 /// Returns the text that identifies the row in its journal.
 std::string row_key(const Row& row);
 
-/// Returns the row as one line without a line feed. The last field, "crc", is the CRC-32 of the text before
-/// it.
+/// Returns the row as one line without a line feed, which ends with the field "crc", the CRC-32 of the text
+/// before it.
 std::string to_line(const Row& row);
 
 /// Thrown for a row with a schema that only a newer version of pelage reads.
@@ -80,23 +76,20 @@ struct NewerSchema : InputError {
   using InputError::InputError;
 };
 
-/// Reads a line that to_line() wrote. Throws InputError for a wrong checksum, invalid JSON, a missing field,
-/// a field of the wrong type, fields that contradict each other (harness/record/contradiction.hpp), or a
-/// schema that this version of pelage does not read. Converts rows of older schemas (convert_to_present()).
+/// Reads a line that to_line() wrote, and converts rows of older schemas (convert_to_present()). Throws
+/// InputError for a wrong checksum, invalid JSON, a missing field, a wrong type, fields that contradict each
+/// other (harness/record/contradiction.hpp), or a schema that this version of pelage does not read.
 Row row_from_line(std::string_view line);
 
-/// Returns the text that the provenance of the row stores under `key`; "" if it stores no text there.
+/// Returns the text or number that the provenance of the row stores under `key`; "" or no value without it.
 std::string provenance_text(const Row& row, const char* key);
-
-/// Returns the number that the provenance of the row stores under `key`; no value if it stores none there.
 std::optional<double> provenance_number(const Row& row, const char* key);
 
-/// Returns the wall times of whole frames in milliseconds; an empty list if the row is not ok.
+/// Returns the wall times of whole frames in ms; an empty list if the row is not ok.
 std::vector<double> frame_ms(const Row& row);
 
-/// Returns the times of a phase that count: its wall times, or its event times if it has no wall times, as a
-/// phase within a frame. Claims, reports and comparisons all follow this rule, which also holds for the phase
-/// "frame". Returns an empty list if the row has no times of the phase.
+/// Returns the times of a phase that count in claims, reports and comparisons: its wall times, or its event
+/// times if it has no wall times, as a phase within a frame. Returns an empty list if the row has none.
 const std::vector<double>& times_of(const Row& row, const std::string& phase);
 
 }  // namespace pelage

@@ -13,20 +13,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the number that the row's provenance stores under `key`, or 0 if there is none.
 std::size_t count(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   if (found == row.provenance.end() || !found->is_number_integer()) return 0;
   return std::size_t(std::max(found->get<std::int64_t>(), std::int64_t(0)));
 }
 
-/// Data collected from the rows of one shard: the measurements that the shard contains, and the numbers of
-/// cases and repeats that it should contain.
+/// What the rows of one shard contain, and what it should contain.
 struct ShardRows {
   /// Maps (case, repeat) to true if a row without an error exists.
   std::map<std::pair<std::string, int>, bool> measured;
-  /// The largest values of shard_cases, all_cases and repeats that the rows of the shard record (see
-  /// shards.hpp). `cases` and `all_cases` are 0 if no row records them.
+  /// The largest values that the rows of the shard record; 0 cases if no row records them.
   std::size_t cases = 0, all_cases = 0, repeats = 1;
   std::set<std::string> deals;
 
@@ -52,14 +49,14 @@ struct ShardRows {
 
 using Shards = std::map<int, ShardRows>;  // shard index -> data of the shard
 
-/// Identifies a run on one or more hosts: experiment, device name, number of shards, overrides.
+/// A run on one or more hosts: experiment, device name, number of shards, overrides.
 using Family = std::tuple<std::string, std::string, int, std::map<std::string, std::string>>;
 
 std::string device_of(const std::string& stem) {
   return stem.substr(0, stem.find('@'));
 }
 
-/// Returns the index of the shard that measured the row, and the number of shards of its run.
+/// Returns the index of the row's shard, and the number of shards.
 std::pair<int, int> shard_of(const FoundRow& found) {
   const std::string recorded = provenance_text(found.row, "shard");
   int index = 0, count = 1;
@@ -69,8 +66,8 @@ std::pair<int, int> shard_of(const FoundRow& found) {
   return {name.index, name.count};
 }
 
-/// Returns the gaps (missing measurements) of a run. A run with more shards than cases has shards without a
-/// case. Therefore a shard without a row is no gap if the other shards together have all cases of the run.
+/// A run with more shards than cases has shards without a case. Therefore a shard without a row is no gap if
+/// the other shards together have all cases of the run.
 std::vector<Gap> gaps_of(const Shards& shards, int count) {
   std::vector<Gap> gaps;
   std::size_t known = 0, all = 0, repeats = 1;

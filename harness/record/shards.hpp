@@ -1,11 +1,8 @@
-// Finds the shards and cases of a run that have no rows. A shard is a part of the cases of a run (--shard).
-// The provenance of a row contains these fields:
+// Finds the shards and cases of a run that have no rows, from these fields of the provenance of rows:
 // - shard: the shard that measured the row
-// - shard_cases: the number of cases of this shard
-// - all_cases: the number of cases of the whole run
+// - shard_cases, all_cases: the numbers of cases of this shard and of the whole run
 // - repeats: the number of processes that measured each case (option --repeat)
-// Rows of older versions do not have these fields. For such rows, pelage reads the shards from the names of
-// the journals.
+// Rows of older versions lack these fields. Their shards follow from the names of the journals.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -19,8 +16,8 @@
 
 namespace pelage {
 
-/// Describes a shard, or a whole run, in which measurements are missing: they have no row, or only rows with
-/// the status error. A measurement is one case in one process that --repeat starts.
+/// A shard, or a whole run, in which measurements have no row, or only rows with the status error. A
+/// measurement is one case in one process that --repeat starts.
 struct Gap {
   int index = 0, count = 1;  ///< shard `index` of `count`; 0 of 1 for a run without shards
   bool whole_run = false;    ///< true if no shard has a gap, but the run as a whole lacks measurements
@@ -29,9 +26,8 @@ struct Gap {
   std::optional<std::size_t> expected = {};  ///< required number of measurements; empty if unknown
 };
 
-/// The state of a run: which cases have rows. A run consists of all rows of an experiment with the same
-/// overrides and the same number of shards on one device of one host. If hosts with equally named devices
-/// each have only some of the shards, one RunState combines these hosts.
+/// The state of a run: all rows of an experiment with the same overrides and the same number of shards on one
+/// device of one host, or of several hosts with equally named devices that each have only some of the shards.
 struct RunState {
   std::string experiment;
   std::string where;  ///< DEVICE@HOST, or "DEVICE@" and several hosts separated by "+"
@@ -39,14 +35,13 @@ struct RunState {
   std::set<std::string> done;    ///< cases with a row whose status is not error
   std::set<std::string> failed;  ///< cases that have only rows with the status error
   std::vector<Gap> gaps;
-  /// True if the shards did not all use the same division of the cases into shards. The divisions differ if
-  /// the shards had different lists of cases, or different times of earlier runs (--balance). A case may then
-  /// belong to several shards or to none.
+  /// True if the shards did not all use the same division of the cases, because their lists of cases or their
+  /// times of earlier runs (--balance) differed. A case may then belong to several shards or to none.
   bool dealt_differently = false;
 };
 
-/// Returns the states of all runs in `rows`, sorted by experiment and device. `journals` are the journals
-/// from which `rows` were read. Their names also state which shards exist, even if a journal has no rows.
+/// Returns the states of all runs in `rows`, which were read from `journals`, sorted by experiment and
+/// device. The names of journals also state which shards exist, even if a journal has no rows.
 std::vector<RunState> run_states(const std::vector<std::filesystem::path>& journals,
                                  const std::vector<FoundRow>& rows);
 

@@ -71,9 +71,8 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
 
 namespace {
 
-/// Returns the scene keys of the rows that differ from their defaults (entry `settings` of the provenance):
-/// first the keys with equal values in all rows, then the other keys of each case. Returns "" for rows of
-/// earlier versions.
+/// Returns the scene keys that differ from their defaults (entry `settings` of the provenance): first those
+/// that all rows share, then the other keys of each case. Returns "" for rows of earlier versions.
 std::string settings_of(const std::vector<const FoundRow*>& rows) {
   std::map<std::string, std::map<std::string, std::string>> cases;  // name of the case -> key -> value
   for (const FoundRow* found : rows) {
@@ -105,8 +104,7 @@ std::string settings_of(const std::vector<const FoundRow*>& rows) {
 }  // namespace
 
 std::string provenance_of(const std::vector<FoundRow>& rows) {
-  // The values of these fields can differ between the rows of one run. provenance_of() describes whole runs,
-  // so it omits these fields. The recorded rows contain them.
+  // These fields can differ between the rows of one run, and the text describes whole runs.
   static const std::set<std::string> of_a_row{
       "utc",         "started_s",     "cpu_mhz",      "cpu_mhz_after",   "load",
       "prepare_s",   "sampling_s",    "load_after",   "other_cpu_share", "check_s",

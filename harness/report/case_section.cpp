@@ -1,6 +1,4 @@
-// Makes the report section of any experiment that has no special section (sections.hpp). An axis is a setting
-// that the experiment varies. The key columns of a table are the axes and the variant. Readers see the table
-// as a cross table with groups of columns (harness/table/table.hpp).
+// Makes the report section of any experiment that has no special section (sections.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,21 +11,16 @@
 namespace pelage {
 namespace {
 
-/// A key column gives groups of columns, one group per value, only if it has at most this number of values.
+/// A key column (axis or variant) gives groups of columns, one per value, only if it has at most this number
+/// of values.
 constexpr std::size_t most_groups = 5;
 
-/// Minimum number of variants for a call of of_variants(). The call also requires that the experiment has no
-/// table [report], and that it has no more than `most_groups` cases per variant.
+/// Least number of variants for of_variants(), which also needs an experiment without a table [report] and
+/// with at most `most_groups` cases per variant.
 constexpr std::size_t fewest_variants = 4;
 
-std::size_t count_of(const Table& table, const std::string& name) {
-  std::set<std::string> values;
-  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, name))].data);
-  return values.size();
-}
-
-/// Returns the columns of the metrics `names`. If a column of the table has the name of a metric, the metric
-/// has the column "metric.NAME".
+/// Returns the columns of the metrics `names`: "metric.NAME" where a column of the table has the name of a
+/// metric.
 std::vector<std::string> metric_columns(const Table& table, std::vector<std::string> names) {
   for (std::string& name : names) {
     std::string own = fmt::format("metric.{}", name);
@@ -36,8 +29,8 @@ std::vector<std::string> metric_columns(const Table& table, std::vector<std::str
   return names;
 }
 
-/// For each case, divides the frame time of every variant by the frame time of the fastest variant in this
-/// case. Returns the geometric mean of these ratios over the cases, for each variant.
+/// Returns for each variant the geometric mean over the cases of its frame time divided by that of the
+/// fastest variant.
 std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
   std::map<std::string, double> fastest;  // name_of() of a case -> least frame time in ms
   for (const Cell& c : cells)
@@ -53,8 +46,8 @@ std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
   return means;
 }
 
-/// Makes the section of an experiment that compares variants. The cross table has one row per variant, sorted
-/// from the fastest variant to the slowest. The values of all axes that vary give the groups of columns.
+/// Makes the section of an experiment that compares variants: one row per variant, the fastest first, and
+/// groups of columns for the values of all axes that vary.
 Section of_variants(std::vector<Cell> cells) {
   const auto means = by_fastest(cells);
   const auto mean = [&](const Cell& c) -> std::optional<double> {
@@ -81,9 +74,8 @@ Section of_variants(std::vector<Cell> cells) {
   return section;
 }
 
-/// Makes the section of an experiment for which of_variants() is not called. The cross table normally has one
-/// row per case. But if the last key column that varies has no more than `most_groups` values, each of these
-/// values becomes a group of columns.
+/// Makes a section that normally has one row per case. But if the last key column that varies has no more
+/// than `most_groups` values, each of these values becomes a group of columns.
 Section of_cases(std::vector<Cell> cells, const View& view) {
   sort_cells(cells);
   Section section{table_of(cells, case_columns(cells)), {}};
@@ -92,7 +84,8 @@ Section of_cases(std::vector<Cell> cells, const View& view) {
   layout.groups = present(section.table, view.columns);
   layout.values = present(section.table, metric_columns(section.table, view.values));
   const std::vector<std::string> keys = varying_keys(section.table, cells);
-  if (layout.groups.empty() && keys.size() >= 2 && count_of(section.table, keys.back()) <= most_groups &&
+  if (layout.groups.empty() && keys.size() >= 2 &&
+      values_of(section.table, keys.back()).size() <= most_groups &&
       std::find(layout.blocks.begin(), layout.blocks.end(), keys.back()) == layout.blocks.end())
     layout.groups = {keys.back()};
   if (layout.values.empty()) layout.values = {"median_ms"};
@@ -106,8 +99,7 @@ Section of_cases(std::vector<Cell> cells, const View& view) {
 }
 
 /// Returns a remark with the number of time steps per frame (metric substeps) of each variant: "Time steps
-/// per frame: rk4 4, explicit-euler 16." Returns "" if there is only one variant, if all variants take the
-/// same number of steps, or if the number also depends on other axes.
+/// per frame: rk4 4, explicit-euler 16." Returns "" if all are equal, or if they also depend on other axes.
 std::string steps_remark(const std::vector<Cell>& cells) {
   std::map<std::string, std::set<double>> steps;  // variant -> numbers
   std::set<double> all;
@@ -125,7 +117,6 @@ std::string steps_remark(const std::vector<Cell>& cells) {
   return fmt::format("Time steps per frame: {}.", text);
 }
 
-/// Returns the remarks that explain the numbers in the cells of the cross table.
 std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
   const auto shows = [&](const char* name) {
     return std::find(values.begin(), values.end(), name) != values.end();

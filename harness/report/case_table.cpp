@@ -6,19 +6,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <tuple>
 
 #include "harness/base/numbers.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/record/equal_pictures.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
 namespace {
 
-/// Returns the rank by which the columns of the axes are sorted: first the model, then all other axes, then
-/// the number of layers, then the picture size.
+/// The columns of the axes are sorted: first the model, then all other axes, then the number of layers, then
+/// the picture size.
 int rank(const std::string& axis) {
   if (axis == "model") return 0;
   if (axis == "layers") return 2;
@@ -51,10 +50,10 @@ Column axis_column(const std::string& axis) {
   return column;
 }
 
-/// Returns a column with a time or a frame rate. With `starred`, the column adds the marks of marks_of() to
-/// the times, and shows the status of cells without a time. Without `starred`, it shows "-" for these cells.
-CellColumn time_column(const std::string& name, const std::string& heading, double (*number)(const Cell&),
-                       bool starred) {
+/// Returns a column with a time or a frame rate. With `starred`, it adds marks_of() to the times, and shows
+/// the status of cells without a time; without, it shows "-" for these cells.
+CellColumn time_column(const std::string& name, const std::string& heading, bool starred,
+                       double (*number)(const Cell&)) {
   return {{name, heading}, [=](const Cell& c) {
             if (!timed(c)) {
               const auto status = std::string(to_text(c.status == Status::ok ? Status::error : c.status));
@@ -113,8 +112,8 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
   }
 }
 
-/// Returns a map from the path of each mesh file to the file's name without folder and extension. Tables show
-/// this name instead of the path. The map omits names that several paths have in common.
+/// Returns for the path of each mesh file the name that tables show instead: the file name without folder and
+/// extension, unless several paths have it in common.
 std::map<std::string, std::string> short_model_names(const std::vector<Cell>& cells) {
   std::map<std::string, std::set<std::string>> paths;  // name -> paths
   for (const Cell& c : cells)
@@ -126,10 +125,35 @@ std::map<std::string, std::string> short_model_names(const std::vector<Cell>& ce
   return names;
 }
 
-/// Returns whether the column is an axis or the variant.
+/// Returns the number of triangles of each model; 0 if no cell of the model contains it.
+std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells) {
+  std::map<std::string, double> counts;
+  for (const Cell& c : cells) {
+    double& count = counts[c.axis("model")];
+    if (const auto found = c.metrics.find("triangles"); found != c.metrics.end())
+      count = std::max(count, found->second.value);
+  }
+  return counts;
+}
+
 bool is_key(const std::string& column, const std::vector<Cell>& cells) {
   return column == "variant" ||
          std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(column); });
+}
+
+constexpr std::size_t most_sets = 5, most_names = 5;
+
+/// Returns the names in parentheses, because they may contain commas: "(a), (b) and (c)", or "... and 3
+/// others".
+std::string list_text(const std::vector<std::string>& names) {
+  std::string text;
+  const std::size_t shown = std::min(names.size(), most_names);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool last = i + 1 == names.size();
+    text += fmt::format("{}({})", i == 0 ? "" : last ? " and " : ", ", names[i]);
+  }
+  if (names.size() > shown) text += fmt::format(" and {} others", names.size() - shown);
+  return text;
 }
 
 }  // namespace
@@ -162,34 +186,28 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   text("host", [](const Cell& c) { return c.host; });
   text("changed", [](const Cell& c) { return changes_of(c); });
   text("status", [](const Cell& c) { return std::string(to_text(c.status)); });
-  columns.push_back(time_column(
-      "fps", "fps", [](const Cell& c) { return c.fps(); }, true));
-  columns.push_back(time_column(
-      "fps_low", "low", [](const Cell& c) { return 1000 / c.interval_ms.high; }, false));
-  columns.push_back(time_column(
-      "fps_high", "high", [](const Cell& c) { return 1000 / c.interval_ms.low; }, false));
-  columns.push_back(time_column(
-      "median_ms", "frame, ms", [](const Cell& c) { return c.median_ms; }, true));
-  columns.push_back(time_column(
-      "median_ms_low", "low", [](const Cell& c) { return c.interval_ms.low; }, false));
-  columns.push_back(time_column(
-      "median_ms_high", "high", [](const Cell& c) { return c.interval_ms.high; }, false));
+  const auto time = [&](const char* name, const char* heading, bool starred, double (*of)(const Cell&)) {
+    columns.push_back(time_column(name, heading, starred, of));
+  };
+  time("fps", "fps", true, [](const Cell& c) { return c.fps(); });
+  time("fps_low", "low", false, [](const Cell& c) { return 1000 / c.interval_ms.high; });
+  time("fps_high", "high", false, [](const Cell& c) { return 1000 / c.interval_ms.low; });
+  time("median_ms", "frame, ms", true, [](const Cell& c) { return c.median_ms; });
+  time("median_ms_low", "low", false, [](const Cell& c) { return c.interval_ms.low; });
+  time("median_ms_high", "high", false, [](const Cell& c) { return c.interval_ms.high; });
   columns.push_back({{"cpu_ms", "CPU time, ms"},
                      [](const Cell& c) { return number_value(timed(c) ? c.cpu_ms : std::nullopt); }});
-  columns.push_back({{"samples", "samples"}, [](const Cell& c) {
-                       std::size_t count = 0;
-                       for (const auto& process : c.timings.processes) count += process.size();
-                       return text_value(std::to_string(count));
-                     }});
-  columns.push_back({{"processes", "processes"},
-                     [](const Cell& c) { return text_value(std::to_string(c.timings.processes.size())); }});
-  columns.push_back({{"converged", "converged"},
-                     [](const Cell& c) { return text_value(timed(c) && c.converged ? "1" : "0"); }});
+  text("samples", [](const Cell& c) {
+    std::size_t count = 0;
+    for (const auto& process : c.timings.processes) count += process.size();
+    return std::to_string(count);
+  });
+  text("processes", [](const Cell& c) { return std::to_string(c.timings.processes.size()); });
+  text("converged", [](const Cell& c) { return std::string(timed(c) && c.converged ? "1" : "0"); });
   columns.push_back({{"drift", "drift"}, [](const Cell& c) {
                        return number_value(timed(c) ? std::optional(c.drift) : std::nullopt);
                      }});
-  columns.push_back(
-      {{"contended", "contended"}, [](const Cell& c) { return text_value(c.contended ? "1" : "0"); }});
+  text("contended", [](const Cell& c) { return std::string(c.contended ? "1" : "0"); });
   add_phases(columns, cells);
   add_metrics(columns, cells);
   return columns;
@@ -208,13 +226,16 @@ Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& co
   return table;
 }
 
+std::set<std::string> values_of(const Table& table, const std::string& column) {
+  std::set<std::string> values;
+  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, column))].data);
+  return values;
+}
+
 std::vector<std::string> varying_keys(const Table& table, const std::vector<Cell>& cells) {
   std::vector<std::string> names;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    if (is_key(table.columns[c].name, cells) &&
-        std::any_of(table.lines.begin(), table.lines.end(),
-                    [&](const auto& line) { return line[c].data != table.lines.front()[c].data; }))
-      names.push_back(table.columns[c].name);
+  for (const Column& column : table.columns)
+    if (is_key(column.name, cells) && values_of(table, column.name).size() > 1) names.push_back(column.name);
   return names;
 }
 
@@ -272,16 +293,6 @@ void sort_cells(std::vector<Cell>& cells) {
   });
 }
 
-std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells) {
-  std::map<std::string, double> counts;
-  for (const Cell& c : cells) {
-    double& count = counts[c.axis("model")];
-    if (const auto found = c.metrics.find("triangles"); found != c.metrics.end())
-      count = std::max(count, found->second.value);
-  }
-  return counts;
-}
-
 std::string marks_of(const Cell& cell) {
   return std::string(cell.converged ? "" : "*") + (cell.contended ? "!" : "");
 }
@@ -332,6 +343,59 @@ std::string equal_pictures_remark(const std::vector<Cell>& cells) {
     if (timed(c))
       pictures.push_back({name_of(c), c.variant, fmt::format("{}", fmt::join(c.pixel_hashes, " "))});
   return equal_pictures(pictures);
+}
+
+std::vector<std::string> view_warnings(const View& view, const std::map<std::string, std::string>& axes) {
+  Cell cell;
+  cell.axes = axes;
+  std::vector<std::string> known{"triangles"};
+  for (const CellColumn& column : case_columns({cell})) known.push_back(column.column.name);
+  std::vector<std::string> warnings;
+  const auto check = [&](const char* key, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      // Short names resemble many columns by chance.
+      const std::string near = name.size() < 4 ? "" : nearest_name(name, known);
+      if (near.empty() || edit_distance(name, near) > 2) continue;
+      warnings.push_back(fmt::format(
+          "report.{} names the column {}, which is neither an axis nor a time of the table; did you mean {}?",
+          key, name, near));
+    }
+  };
+  check("blocks", view.blocks);
+  check("columns", view.columns);
+  check("values", view.values);
+  if (!view.x.empty()) check("x", {view.x});
+  check("y", view.y);
+  check("series", view.series);
+  check("panels", view.panels);
+  return warnings;
+}
+
+std::string equal_pictures(const std::vector<CasePicture>& pictures) {
+  std::vector<std::pair<const CasePicture*, std::vector<std::string>>> sets;
+  for (const CasePicture& one : pictures) {
+    if (one.hash.empty()) continue;
+    const auto same = std::find_if(sets.begin(), sets.end(), [&](const auto& set) {
+      return set.first->hash == one.hash && set.first->group == one.group;
+    });
+    if (same == sets.end())
+      sets.push_back({&one, {one.name}});
+    else if (std::find(same->second.begin(), same->second.end(), one.name) == same->second.end())
+      same->second.push_back(one.name);
+  }
+  std::erase_if(sets, [](const auto& set) { return set.second.size() < 2; });
+  if (sets.empty()) return {};
+  // A run measures its cases in random order, so the names are sorted.
+  for (auto& [first, names] : sets) std::sort(names.begin(), names.end());
+  std::sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::vector<std::string> texts;
+  for (const auto& [first, names] : sets) {
+    if (texts.size() < most_sets) texts.push_back(list_text(names));
+  }
+  const std::size_t others = sets.size() - texts.size();
+  return fmt::format("Equal pictures: {}{}. The settings in which these cases differ change no pixel.",
+                     fmt::join(texts, "; "), others > 0 ? fmt::format("; {} other sets", others) : "");
 }
 
 }  // namespace pelage

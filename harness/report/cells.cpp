@@ -10,17 +10,14 @@
 
 #include "harness/error.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/measure/precision.hpp"
 
 namespace pelage {
 namespace {
 
-/// Combines the values of one metric from separate processes. If all values are equal (for example counts, or
-/// numbers printed in a paper), or if a value is not finite, returns the first metric unchanged. Otherwise
-/// returns the median of the values with limits. With three or more processes, the limits are the 95%
-/// interval of the mean over the processes (mean_interval()). With two processes, the limits are the smaller
-/// one of the two lower limits and the larger one of the two upper limits. If one of the two processes has no
-/// limits, the result has no limits. Needs at least one value.
+/// Combines the values of one metric from separate processes. If all values are equal (counts, printed
+/// numbers), or if one is not finite, returns the first metric. Otherwise returns the median with limits:
+/// with three or more processes, mean_interval(); with two, the smaller of the two lower limits and the
+/// larger of the two upper limits, if both have limits.
 Metric combined_metric(std::span<const Metric> values) {
   Metric result = values.front();
   std::vector<double> numbers;
@@ -64,8 +61,8 @@ Cell cell_of(const FoundRow& found) {
   return cell;
 }
 
-/// Returns the members that name a cell. Two cells with equal names may have measured different inputs. Such
-/// cells differ in Cell::identity.
+/// Returns the members that name a cell. Cells with equal names but different identities measured different
+/// inputs.
 auto names(const Cell& c) {
   return std::tie(c.experiment, c.case_name, c.variant, c.device, c.host, c.overrides);
 }
@@ -110,7 +107,6 @@ struct Samples {
   }
 };
 
-/// Computes the median and its interval from the times of all processes.
 void summarize_times(Cell& cell) {
   std::vector<double> pooled;
   for (const auto& process : cell.timings.processes)

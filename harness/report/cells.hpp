@@ -1,5 +1,5 @@
 // Cells of the report's tables. A cell combines the rows of one case from all processes (--repeat) and holds
-// the statistics of their samples. An axis is a setting that an experiment varies.
+// the statistics of their samples.
 #pragma once
 #include <map>
 #include <optional>
@@ -19,8 +19,8 @@ struct Cell {
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
   std::map<std::string, Metric> metrics;  ///< each metric, combined over the rows (combined_metric())
-  /// Name of each metric -> its values, one for each combined row, in the order of the rows. Each row is from
-  /// a separate process.
+  /// Name of each metric -> its values, one for each combined row (each from a separate process), in their
+  /// order.
   std::map<std::string, std::vector<double>> runs;
   Timings timings;         ///< for each process, its start time and the wall times of its frames
   bool contended = false;  ///< whether a row was timed on a loaded machine (harness/measure/cpu_use.hpp)
@@ -43,26 +43,22 @@ struct Cell {
   /// Hashes of the picture files, from the rows. Empty for rows of earlier versions.
   std::set<std::string> picture_hashes;
   std::set<std::string> pixel_hashes;  ///< hashes of the pixels of the timed pictures; empty without pictures
-  /// Value of the axis "reading"; "default" if the cell has no such axis. The axis selects a set of scene
-  /// settings, for example one interpretation of a paper's text.
+  /// Value of the axis "reading"; "default" if the cell has no such axis.
   std::string reading() const;
   std::string axis(const std::string& key) const;  ///< value of the axis; "" if the cell has no such axis
   std::optional<Metric> paper_fps() const;
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
 };
 
-/// Whether the cell's rows are ok and have times.
 inline bool timed(const Cell& cell) {
   return cell.status == Status::ok && cell.median_ms > 0;
 }
 
-/// Returns the settings that the user changed on the command line: "fur.length=0.1; size=800x600". Returns ""
-/// without changes.
+/// Returns the settings that the user changed on the command line: "fur.length=0.1; size=800x600".
 std::string changes_of(const Cell& cell);
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
-/// which they first occur in the rows. Rows are combined only if their identities (hashes of everything that
-/// determines what a row measured) are equal.
+/// which they first occur in the rows. Only rows with equal identities are combined.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
 /// Replaces the frame times in `cells` by the times of the phase `phase` (times_of()). `cells` is the result
@@ -70,9 +66,8 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 /// all phases if no cell has the phase.
 void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, const std::string& phase);
 
-/// Our frame rate divided by the frame rate that a paper published (Cell::paper_fps()). The interval from
-/// `low` to `high` follows from the uncertainties of both frame rates. An empty `low` or `high` means that
-/// the interval has no such limit.
+/// Our frame rate divided by the frame rate that a paper published. The interval follows from the
+/// uncertainties of both; an empty `low` or `high` means that the interval has no such limit.
 struct Ratio {
   double value = 0;
   std::string relation;  ///< ">" if the paper gives only an upper bound of its frame rate, else ""

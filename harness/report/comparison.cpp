@@ -23,8 +23,8 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// Returns a text with the properties that must be equal in the two cells of a pair. They are the experiment,
-/// the axes, the overrides, the variant and the device, except for the property that `by` names.
+/// Returns a text with the properties that must be equal in the two cells of a pair: all but the property
+/// that `by` names.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)
@@ -36,23 +36,19 @@ std::string common_name(const Cell& cell, const CompareBy& by) {
   return name;
 }
 
-bool has_times(const Cell& cell) {
-  return cell.median_ms > 0;
-}
+/// The verdicts of Side::below, within, above and undecided.
+constexpr Verdict of_side[] = {Verdict::faster, Verdict::same, Verdict::slower, Verdict::undecided};
 
 /// Two cells to compare.
 struct Match {
   const Cell *a, *b;
 };
 
-/// Returns the two cells in the order `a`, `b`. But if both cells are from one set of results, the cell with
-/// the smaller value of the property `by` comes first.
 Match match_of(const Cell& a, const Cell& b, bool one_set, const CompareBy& by) {
   const bool swapped = one_set && natural_less(value_of(b, by), value_of(a, by));
   return swapped ? Match{&b, &a} : Match{&a, &b};
 }
 
-/// Returns the pairs of cells that differ only in the property that `by` names.
 std::vector<Match> equal_names(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                const CompareBy& by) {
   std::vector<std::string> names;
@@ -67,9 +63,8 @@ std::vector<Match> equal_names(const std::vector<Cell>& a, const std::vector<Cel
   return matches;
 }
 
-/// Returns the pairs of cells that have the same case on two devices and that `matches` does not contain. The
-/// variants of the two cells may differ: the default mapping of pixels to work-items depends on the device,
-/// and the name of the mapping is a part of the variant.
+/// Returns the pairs of cells of one case on two devices that `matches` does not contain. Their variants may
+/// differ (compare_cells()).
 std::vector<Match> equal_cases(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                const CompareBy& by, const std::vector<Match>& matches) {
   std::set<const Cell*> matched;
@@ -85,32 +80,18 @@ std::vector<Match> equal_cases(const std::vector<Cell>& a, const std::vector<Cel
   return more;
 }
 
-Verdict verdict_of(Side side) {
-  switch (side) {
-    case Side::below:
-      return Verdict::faster;
-    case Side::within:
-      return Verdict::same;
-    case Side::above:
-      return Verdict::slower;
-    case Side::undecided:
-      break;
-  }
-  return Verdict::undecided;
-}
-
 Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
   Pair pair;
   pair.name = common_name(a, by);
   if (by.text == "device" && a.variant != b.variant) pair.name += " -> " + b.variant;
   pair.a = value_of(a, by);
   pair.b = value_of(b, by);
-  pair.a_ms = has_times(a) ? typical_ms(a.timings) : 0;
-  pair.b_ms = has_times(b) ? typical_ms(b.timings) : 0;
+  pair.a_ms = timed(a) ? typical_ms(a.timings) : 0;
+  pair.b_ms = timed(b) ? typical_ms(b.timings) : 0;
   pair.a_processes = a.timings.processes.size();
   pair.b_processes = b.timings.processes.size();
   pair.contended = a.contended || b.contended;
-  if (has_times(a) && !has_times(b)) {
+  if (timed(a) && !timed(b)) {
     pair.verdict = Verdict::lost;
     pair.reason = std::string(to_text(b.status));
     if (!b.reason.empty()) pair.reason += ": " + b.reason;
@@ -118,8 +99,6 @@ Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
   return pair;
 }
 
-/// Computes the change, its interval and the verdict of each pair. Skips a pair if one of its cells has no
-/// time.
 void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Difference>>& differences,
                   const CompareLimits& limits) {
   std::vector<Difference> known;
@@ -138,14 +117,13 @@ void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Diff
     pair.paired = difference.paired;
     pair.assumed = difference.assumed;
     pair.detectable = detectable_change(difference, known.size(), limits.threshold, limits.alpha);
-    pair.verdict = verdict_of(decision.side);
+    pair.verdict = of_side[std::size_t(decision.side)];
     if (pair.verdict == Verdict::undecided)
       pair.needed = processes_needed(difference, std::min(pair.a_processes, pair.b_processes), known.size(),
                                      limits.threshold, limits.alpha);
   }
 }
 
-/// Throws InputError if the set contains two cells that differ only in their identity (hashes of the inputs).
 void refuse_ambiguous(const std::vector<Cell>& cells, const CompareBy& by) {
   std::map<std::pair<std::string, std::string>, const Cell*> known;
   for (const Cell& cell : cells) {
@@ -178,7 +156,7 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
   std::vector<std::optional<Difference>> differences;  // one per pair; empty if a time is missing
   for (const auto& [first, second] : matches) {
     pairs.push_back(pair_of(*first, *second, by));
-    differences.push_back(has_times(*first) && has_times(*second)
+    differences.push_back(timed(*first) && timed(*second)
                               ? std::optional(difference_of(first->timings, second->timings))
                               : std::nullopt);
   }
@@ -193,19 +171,8 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
 }
 
 std::string_view to_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::same:
-      return "same";
-    case Verdict::faster:
-      return "faster";
-    case Verdict::slower:
-      return "slower";
-    case Verdict::undecided:
-      break;
-    case Verdict::lost:
-      return "lost";
-  }
-  return "undecided";
+  static constexpr std::string_view names[] = {"same", "faster", "slower", "undecided", "lost"};
+  return names[std::size_t(verdict)];
 }
 
 double fraction_from_text(const std::string& option, const std::string& text) {

@@ -14,10 +14,9 @@ struct CompareBy {
   explicit CompareBy(const std::string& by);
 };
 
-/// The verdict follows from the confidence interval of the change and the limits -threshold and +threshold.
-/// It is `faster` if the interval lies below both limits, and `slower` if the interval lies above both
-/// limits. It is `same` if the interval lies between the limits, and `undecided` if the interval contains a
-/// limit. The verdict is `lost` if the case has a time in A but no time in B.
+/// Where the confidence interval of the change lies with regard to the limits -threshold and +threshold:
+/// below both (`faster`), above both (`slower`), between them (`same`), or it contains a limit (`undecided`).
+/// The verdict is `lost` if the case has a time in A but no time in B.
 enum class Verdict { same, faster, slower, undecided, lost };
 
 struct Pair {
@@ -34,8 +33,8 @@ struct Pair {
   bool assumed = false;    ///< whether the test used assumed_spread, because processes were too few
   /// Smallest relative increase of the time that the test finds with probability 0.9; 0 if unknown.
   double detectable = 0;
-  /// Estimated number of processes per set that the test needs for a decision (processes_needed()). 0 if this
-  /// number is unknown or above 1000.
+  /// Estimated number of processes per set that the test needs for a decision (processes_needed()); 0 if
+  /// unknown or above 1000.
   std::size_t needed = 0;
   Verdict verdict = Verdict::undecided;
   std::string reason;  ///< if the verdict is `lost`: status and reason of the cell in B
@@ -48,20 +47,16 @@ struct CompareLimits {
 
 /// Pairs every cell of `a` with each cell of `b` that has the same properties, except for the property that
 /// `by` names. If `by` is "device", the function then pairs the remaining cells: two cells of the same case
-/// on different devices. The variants of these two cells may differ: the default mapping of pixels to
-/// work-items depends on the device, and the name of the mapping is a part of the variant. The verdicts are
-/// computed by decide() (harness/measure/difference.hpp). If `one_set` is true, `a` and `b` are the same set.
-/// The result then contains only one of the pairs (x, y) and (y, x): the pair whose first cell has the
-/// smaller value of `by` (natural_less()). Throws InputError if there is no pair, or if a set contains two
-/// cells that differ only in their identity (hashes of the inputs).
+/// on different devices. Their variants may differ: the default mapping depends on the device, and the name
+/// of the mapping is a part of the variant. If `one_set` is true, `a` and `b` are the same set, and each pair
+/// occurs once: the cell with the smaller value of `by` (natural_less()) is first. Throws InputError if there
+/// is no pair, or if a set contains two cells that differ only in their identity.
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                 const CompareBy& by, const CompareLimits& limits);
 
 std::string_view to_text(Verdict verdict);
 
-/// Returns the fraction that `text` gives as a percentage or as a number: 0.05 for both "5%" and "0.05".
-/// Throws InputError for other texts. The error message contains `option`, the name of the command-line
-/// option.
+/// Returns 0.05 for both "5%" and "0.05". The message of the InputError for other texts contains `option`.
 double fraction_from_text(const std::string& option, const std::string& text);
 
 }  // namespace pelage

@@ -37,8 +37,6 @@ std::string of_provenance(const Row& row, const char* key) {
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
-/// Returns "1" if other processes disturbed the timing of the row (load_warning()), and "0" if they did not.
-/// Returns "" if the row does not contain the CPU time of other processes.
 std::string contended_text(const Row& row) {
   if (!row.provenance.contains("other_cpu_share")) return {};
   return load_warning(row).empty() ? "0" : "1";

@@ -10,8 +10,6 @@
 namespace pelage {
 namespace {
 
-/// Returns a text that consists of the row's names: experiment, case, variant, device, host and overrides.
-/// Rows with the same names have the same text.
 std::string names_of(const Row& row) {
   std::string text = fmt::format("{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
                                  row.provenance.value("host", std::string()));
@@ -19,47 +17,19 @@ std::string names_of(const Row& row) {
   return text;
 }
 
-/// The key is the result of names_of() for a case, and the value is the identity of the case.
-using Identities = std::map<std::string, Identity>;
-
-/// Returns whether the identity of a case in `rows` differs from the identity that `set` has for this case.
-bool conflicts(const Identities& set, const std::vector<FoundRow>& rows) {
-  return std::any_of(rows.begin(), rows.end(), [&](const FoundRow& found) {
-    const auto place = set.find(names_of(found.row));
-    return place != set.end() && place->second != found.row.identity;
-  });
-}
-
-/// Divides the rows of one journal into lists. Within a list, each case has only one identity. Usually, the
-/// result is one list.
-std::vector<std::vector<FoundRow>> parts_of(const std::vector<FoundRow>& journal) {
-  std::vector<std::vector<FoundRow>> parts;
-  std::vector<Identities> identities;
-  for (const FoundRow& found : journal) {
-    std::size_t i = 0;
-    while (i < parts.size() && conflicts(identities[i], {found})) ++i;
-    if (i == parts.size()) {
-      parts.emplace_back();
-      identities.emplace_back();
-    }
-    parts[i].push_back(found);
-    identities[i][names_of(found.row)] = found.row.identity;
+/// The identities of cases.
+class Identities {
+ public:
+  void add(const FoundRow& found) { identities_[names_of(found.row)] = found.row.identity; }
+  const Identity* of(const FoundRow& found) const {
+    const auto place = identities_.find(names_of(found.row));
+    return place == identities_.end() ? nullptr : &place->second;
   }
-  return parts;
-}
+  bool conflict(const FoundRow& found) const { return of(found) && *of(found) != found.row.identity; }
 
-/// Returns one list of rows per journal. The lists are in the order in which the journals first occur in
-/// `rows`.
-std::vector<std::vector<FoundRow>> journals_of(const std::vector<FoundRow>& rows) {
-  std::vector<std::vector<FoundRow>> journals;
-  std::map<std::filesystem::path, std::size_t> index;
-  for (const FoundRow& found : rows) {
-    const auto [place, added] = index.try_emplace(found.journal, journals.size());
-    if (added) journals.emplace_back();
-    journals[place->second].push_back(found);
-  }
-  return journals;
-}
+ private:
+  std::map<std::string, Identity> identities_;  // result of names_of() -> identity
+};
 
 }  // namespace
 
@@ -67,28 +37,28 @@ std::vector<InputSet> input_sets(const std::vector<FoundRow>& rows) {
   std::vector<InputSet> sets(1);
   std::vector<Identities> identities(1);
   std::vector<std::set<std::string>> differing(1);
-  for (const std::vector<FoundRow>& journal : journals_of(rows))
-    for (const std::vector<FoundRow>& part : parts_of(journal)) {
-      std::size_t i = 0;
-      while (i < sets.size() && conflicts(identities[i], part)) ++i;
-      if (i == sets.size()) {
-        sets.emplace_back();
-        identities.emplace_back();
-        differing.emplace_back();
-      }
-      for (const FoundRow& found : part) {
-        const std::string names = names_of(found.row);
-        sets[i].rows.push_back(found);
-        identities[i][names] = found.row.identity;
-        const auto first = identities.front().find(names);
-        if (i == 0 || first == identities.front().end()) continue;
-        if (found.row.identity.empty() || first->second.empty())
-          differing[i].insert("identity incomplete");
-        else
-          for (const std::string& name : differing_parts(first->second, found.row.identity))
-            differing[i].insert(name);
-      }
+  for (const std::vector<const FoundRow*>& group : groups_of<Identities>(rows)) {
+    const auto place = std::find_if(identities.begin(), identities.end(), [&](const Identities& set) {
+      return std::none_of(group.begin(), group.end(), [&](auto* found) { return set.conflict(*found); });
+    });
+    const auto i = std::size_t(place - identities.begin());
+    if (i == sets.size()) {
+      sets.emplace_back();
+      identities.emplace_back();
+      differing.emplace_back();
     }
+    for (const FoundRow* found : group) {
+      sets[i].rows.push_back(*found);
+      identities[i].add(*found);
+      const Identity* first = identities.front().of(*found);
+      if (i == 0 || !first) continue;
+      if (found->row.identity.empty() || first->empty())
+        differing[i].insert("identity incomplete");
+      else
+        for (const std::string& name : differing_parts(*first, found->row.identity))
+          differing[i].insert(name);
+    }
+  }
   for (std::size_t i = 1; i < sets.size(); ++i)
     sets[i].differs = fmt::format("{}", fmt::join(differing[i], ", "));
   return sets;

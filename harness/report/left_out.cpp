@@ -1,11 +1,9 @@
-#include "harness/report/left_out.hpp"
-
 #include <fmt/format.h>
 
-#include <map>
 #include <set>
 
 #include "harness/record/shards.hpp"
+#include "harness/report/report.hpp"
 
 namespace pelage {
 namespace {
@@ -14,7 +12,6 @@ namespace {
 /// could make the table unreadable.
 constexpr std::size_t longest_reason = 300;
 
-/// Returns the first line of the text, shortened to longest_reason bytes.
 std::string first_line(const std::string& text) {
   std::string line = text.substr(0, text.find('\n'));
   if (line.size() > longest_reason) {
@@ -34,8 +31,8 @@ std::string place_of(const Cell& cell) {
   return place;
 }
 
-/// Returns the number of missing cases as text, such as "7 of 8" or "3 of 8 in shard 1/4; 1 more ended with
-/// an error". If this number is unknown, returns text_of() of the gap.
+/// Returns text such as "7 of 8" or "3 of 8 in shard 1/4; 1 more ended with an error", or text_of() the gap
+/// if the number is unknown.
 std::string missing_text(const Gap& gap) {
   if (!gap.expected || *gap.expected < gap.done + gap.failed) return text_of(gap);
   std::string text = fmt::format("{} of {}", *gap.expected - gap.done - gap.failed, *gap.expected);

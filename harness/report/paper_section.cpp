@@ -1,5 +1,5 @@
-// Makes the report section that compares our frame rates with the frame rates that a paper published. Its
-// table has the layout of the paper's table.
+// Makes the report section that compares our frame rates with published ones, in the layout of the paper's
+// table.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +12,10 @@
 namespace pelage {
 namespace {
 
-/// Converts a frame rate to a frame time in ms. Returns nothing if the frame rate is missing or 0.
 std::optional<double> ms_of(std::optional<double> fps) {
   return fps && *fps > 0 ? std::optional(1000 / *fps) : std::nullopt;
 }
 
-/// Returns a column. The function `number` computes the column's values from the paper's frame rate.
 CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metric& paper)) {
   return {{name, name}, [number](const Cell& c) {
             const auto paper = c.paper_fps();
@@ -25,8 +23,6 @@ CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metr
           }};
 }
 
-/// Returns a column. The function `number` computes the column's values from the ratio of our frame rate to
-/// the paper's frame rate.
 CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Ratio& ratio)) {
   return {{name, name}, [number](const Cell& c) {
             const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
@@ -68,28 +64,22 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
 Section paper_section(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
   sort_cells(cells);  // by the number of triangles, like the papers' tables
   const Cell& any = cells.front();
-  auto columns = paper_columns(cells);
   const Experiment experiment = shipped_experiment(any.experiment).value_or(Experiment{});
-  Section section = section_of(cells, columns, stem, sources);
-  Table& table = section.table;
-  if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
-  if (any.reading() != "default") table.stem += "-" + any.reading();
-  if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
-  table.layout = {present(table, {"layers"}),
-                  present(table, {"model", "triangles"}),
-                  present(table, {"size"}),
-                  {"fps", "paper_fps", "ratio"}};
-  add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
-  table.remarks = {
+  std::vector<std::string> remarks{
       "Frames per second: 1000 divided by the median wall time of a warm frame in ms. The wall time lasts "
       "from the frame's first enqueued kernel to the end of its last kernel.",
       "Ratio: ours divided by the paper's."};
   if (!experiment.hardware.empty())
-    table.remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
-                                        experiment.table.empty() ? "the paper" : experiment.table,
-                                        experiment.hardware));
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
+    remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
+                                  experiment.table.empty() ? "the paper" : experiment.table,
+                                  experiment.hardware));
+  Section section =
+      section_of(cells, paper_columns(cells), stem, sources,
+                 {{"layers"}, {"model", "triangles"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
+  Table& table = section.table;
+  if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
+  if (any.reading() != "default") table.stem += "-" + any.reading();
+  if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
   View view = view_of(cells);
   if (view.x.empty() && column_of(table, "triangles") >= 0) {
     view.x = "triangles";

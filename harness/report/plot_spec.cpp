@@ -15,12 +15,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::set<std::string> values_of(const Table& table, const std::string& column) {
-  std::set<std::string> values;
-  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, column))].data);
-  return values;
-}
-
 bool is_numeric(const Table& table, const std::string& column) {
   const auto values = values_of(table, column);
   return std::all_of(values.begin(), values.end(),
@@ -31,7 +25,7 @@ bool is_numeric(const Table& table, const std::string& column) {
 /// 12 panels.
 constexpr std::size_t most_series = 7, most_panels = 12;
 
-/// Returns the number of combinations of these columns' values that occur in the table.
+/// Returns the number of combinations of these columns' values.
 std::size_t combinations(const Table& table, const Names& columns) {
   std::set<Names> found;
   for (const auto& line : table.lines) {
@@ -43,8 +37,7 @@ std::size_t combinations(const Table& table, const Names& columns) {
   return found.size();
 }
 
-/// Removes from `names` the column with the most values, and returns its name. Returns "" if `names` is
-/// empty.
+/// Removes the column with the most values from `names` and returns it; "" if there is none.
 std::string take_largest(const Table& table, Names& names) {
   const auto most = std::max_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
     return values_of(table, a).size() < values_of(table, b).size();
@@ -55,8 +48,6 @@ std::string take_largest(const Table& table, Names& names) {
   return name;
 }
 
-/// Returns "log" if all numbers in the column are positive and the largest is at least 20 times the smallest.
-/// Otherwise returns "linear".
 std::string scale_of(const Table& table, const std::string& column) {
   double least = 0, most = 0;
   for (const std::string& text : values_of(table, column)) {
@@ -69,7 +60,6 @@ std::string scale_of(const Table& table, const std::string& column) {
   return least > 0 && most >= 20 * least ? "log" : "linear";
 }
 
-/// Returns " (did you mean NAME?)" with the column whose name resembles `name`, or "" if there is none.
 std::string suggestion(const Table& table, const std::string& name) {
   std::vector<std::string> columns;
   for (const Column& column : table.columns) columns.push_back(column.name);
@@ -97,8 +87,7 @@ void erase_from(Names& names, const Names& taken) {
                 [&](const auto& n) { return std::find(taken.begin(), taken.end(), n) != taken.end(); });
 }
 
-/// Sets x, series and panels of the plot. Uses the columns that the view (table [report] of the experiment
-/// file) names. Where the view names no column, chooses among the key columns (axes and variant) that vary.
+/// Sets x, series and panels of the plot as plots_of() says.
 void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, const View& view,
            std::vector<std::string>& notes) {
   Names keys = varying_keys(table, cells);

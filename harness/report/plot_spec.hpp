@@ -17,12 +17,11 @@ struct PlotSpec {
   std::string x, x_label, x_scale = "linear";
   std::string y, y_label, y_scale = "linear";
   std::string low, high;  ///< columns with the limits of the interval of y; "" if there are none
-  /// Each combination of values of the columns `panels` has its own panel. In a panel, each combination of
-  /// values of the columns `series` has its own line.
+  /// Each combination of values of `panels` has its own panel, and in it each combination of values of
+  /// `series` a line.
   std::vector<std::string> series, panels;
-  /// Column with numbers that a paper published. They are drawn as a dashed line. If this column has the name
-  /// NAME, the columns NAME_low and NAME_high contain the limits of the numbers. A number with a lower limit
-  /// but no upper limit is drawn as a lower limit of y.
+  /// Column with numbers that a paper published, drawn as a dashed line. The columns NAME_low and NAME_high
+  /// contain their limits. A number with a lower limit but no upper limit is drawn as a lower limit of y.
   std::string published, published_label;
   std::optional<double> guide;                            ///< y of a horizontal reference line
   std::map<std::string, std::vector<std::string>> order;  ///< column -> its values in order
@@ -30,17 +29,15 @@ struct PlotSpec {
   std::string note;                                       ///< text above the panels, such as the device
 };
 
-/// Returns the plots of a table: one plot for each y of the view (table [report] of the experiment file). A y
-/// with fewer than two numbers gets no plot. If x of the view has only one value, the series column with the
-/// most values becomes x. If the series columns do not vary either, the key column (axis or variant) with the
-/// most values becomes x.
+/// Returns the plots of a table: one plot for each y of the view with at least two numbers. If x of the view
+/// has only one value, the series column with the most values becomes x, or else the key column (axis or
+/// variant) with the most values.
 ///
-/// If the view names no x, the function chooses among the key columns that vary. The numeric key column with
-/// the most values becomes x. A second numeric key column gives the panels, and the other key columns give
-/// the series. If there is no numeric key column, the text key column with the most values becomes x. This
-/// text column also becomes x if each numeric key column has only two values and the text key columns would
-/// give more than seven series. If more than seven series remain, the key columns with the fewest values give
-/// panels in place of series.
+/// If the view names no x, the numeric key column with the most values becomes x. A second numeric key column
+/// gives the panels, and the other key columns give the series. The text key column with the most values
+/// becomes x if there is no numeric key column, or if each of them has only two values and the text key
+/// columns would give more than seven series. If more than seven series remain, the key columns with the
+/// fewest values give panels in place of series.
 ///
 /// If the view names no scale, a scale is logarithmic if all values are positive and the largest is at least
 /// 20 times the smallest. For each name in the view that is not a column of the table, a line is added to

@@ -26,7 +26,7 @@ struct Bandwidth {
   double gb_s = 0;
 };
 
-/// Returns text for a terminal: a table of frames, then a table of kernels.
+/// Returns text for a terminal.
 std::string text_of(const std::vector<FrameWork>& frames, const Bandwidth& bandwidth);
 /// Returns CSV with one line per case and kernel. The program plots/profile.py reads this CSV.
 std::string csv_of(const std::vector<FrameWork>& frames, const Bandwidth& bandwidth);

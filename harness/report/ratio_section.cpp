@@ -1,6 +1,5 @@
-// Makes the report section of an experiment that times two pipelines for each frame: our OpenCL pipeline and
-// the OpenGL baseline, which is the pipeline of the experiment's paper. The axis "reading" of the experiment
-// selects a set of scene settings.
+// Makes the report section of an experiment that times our OpenCL pipeline in turns with the OpenGL baseline,
+// which is the pipeline of the experiment's paper. Ratios are OpenGL time divided by OpenCL time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,15 +17,13 @@ std::optional<double> ratio_of_pipelines(const Cell& c) {
                                                             : std::nullopt;
 }
 
-/// Returns the name of the cell, without its value of the axis "reading".
 std::string name_without_reading(Cell cell) {
   cell.axes.erase("reading");
   return name_of(cell);
 }
 
-/// Returns one mean for each separate run: the geometric mean of the ratios (OpenGL time divided by OpenCL
-/// time) that this run measured in the cells. Returns an empty list if the cells have different numbers of
-/// runs, or too few runs for an interval.
+/// Returns the geometric mean of the ratios of each separate run; nothing if the cells have different numbers
+/// of runs, or too few runs for an interval.
 std::vector<double> means_of_runs(const std::vector<const Cell*>& cells) {
   const std::size_t count = cells.front()->runs.at("opengl_ratio").size();
   std::vector<double> means;
@@ -43,7 +40,6 @@ std::vector<double> means_of_runs(const std::vector<const Cell*>& cells) {
   return has_mean_interval(means.size()) ? means : std::vector<double>{};
 }
 
-/// Returns the 95% interval of the geometric mean as text. The interval is computed from separate runs.
 std::string mean_interval_text(const std::vector<const Cell*>& cells) {
   const std::vector<double> means = means_of_runs(cells);
   if (means.empty()) return "no interval, because that needs three separate runs (--repeat 3)";
@@ -52,8 +48,7 @@ std::string mean_interval_text(const std::vector<const Cell*>& cells) {
                      means.size());
 }
 
-/// Returns one sentence for each value of the axis "reading". The sentence states the geometric mean and the
-/// minimum of the ratios (OpenGL time divided by OpenCL time).
+/// Returns a sentence about the mean and the minimum of the ratios for each value of the axis "reading".
 std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   std::map<std::string, std::vector<const Cell*>> readings;
   for (const Cell& c : cells) readings[c.reading()].push_back(&c);
@@ -82,9 +77,8 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   return sentences;
 }
 
-/// Returns a sentence about the cost of curls and clumps. The cost is the frame time with
-/// `reading = "default"` divided by the frame time with `reading = "plain"`, which has neither curls nor
-/// clumps. Returns "" if no case was timed with both values of `reading`.
+/// Returns a sentence about the cost of curls and clumps: the frame time with `reading = "default"` divided
+/// by that with `reading = "plain"`, which has neither. Returns "" if no case was timed with both.
 std::string overhead_of(const std::vector<Cell>& cells) {
   std::vector<double> ours, opengl;
   for (const Cell& coat : cells)
@@ -124,22 +118,15 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
                           fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, marks_of(cell), m.low.value_or(0),
                                       m.high.value_or(0))};
            }};
-  Section section = section_of(cells, columns, stem + "-ratio", sources);
-  Table& table = section.table;
-  table.layout = {present(table, {"reading"}),
-                  present(table, {"model", "triangles"}),
-                  present(table, {"layers", "size"}),
-                  {"opengl_ratio"}};
-  add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
   const auto renderer =
       std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return !c.renderer.empty(); });
-  table.remarks = {
-      fmt::format("Time of the paper's pipeline ({}) divided by ours, for the same picture in the same "
-                  "round: median over the "
-                  "rounds, and its 95% interval.",
-                  renderer == cells.end() ? "OpenGL" : renderer->renderer)};
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
+  Section section = section_of(
+      cells, columns, stem + "-ratio", sources,
+      {{"reading"}, {"model", "triangles"}, {"layers", "size"}, {"opengl_ratio"}},
+      {fmt::format("Time of the paper's pipeline ({}) divided by ours, for the same picture in the "
+                   "same round: median over the rounds, and its 95% interval.",
+                   renderer == cells.end() ? "OpenGL" : renderer->renderer)});
+  Table& table = section.table;
   for (std::string& sentence : means_of(cells)) table.remarks.push_back(std::move(sentence));
   if (std::string sentence = overhead_of(cells); !sentence.empty())
     table.remarks.push_back(std::move(sentence));

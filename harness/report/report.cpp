@@ -7,7 +7,7 @@
 #include <set>
 
 #include "harness/atomic_file.hpp"
-#include "harness/claims/claim_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "harness/claims/print.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/measure/cpu_use.hpp"
@@ -15,9 +15,7 @@
 #include "harness/report/case_table.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/input_sets.hpp"
-#include "harness/report/left_out.hpp"
 #include "harness/report/plot.hpp"
-#include "harness/report/scaling.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -25,8 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_file(const fs::path& path, const std::string& text) {
+/// Writes a file of the report that the page also contains.
+void write_file(Report& report, const fs::path& path, const std::string& text) {
   write_text_atomically(path, text);
+  report.files.emplace_back(path.filename().string(), text);
 }
 
 void make_folder(const fs::path& folder) {
@@ -35,14 +35,14 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
 }
 
-/// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. If this fails, adds the
-/// error text to the report's notes, unless they already contain it. Returns whether it succeeded.
+/// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. Returns whether it
+/// succeeded; if not, the report has a note with the error.
 bool draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
           const std::string& table, const std::string& title) {
   const fs::path place = folder / "plots";
   std::string problem;
   try {
-    write_file(place / (stem + ".csv"), table);
+    write_text_atomically(place / (stem + ".csv"), table);
     for (const std::string& name : {program, std::string("style")})
       fs::copy_file(plot_program(name), place / (name + ".py"), fs::copy_options::overwrite_existing);
     problem = draw_plot(place / (program + ".py"), place / (stem + ".csv"), place / stem);
@@ -56,46 +56,43 @@ bool draw(Report& report, const fs::path& folder, const std::string& program, co
   return problem.empty();
 }
 
-/// Writes the tables of the sections and draws their plots.
 void write_sections(Report& report, const fs::path& folder) {
   for (const Section& section : report.sections) {
-    write_file(folder / "tables" / (section.table.stem + ".txt"), text_of(section.table));
-    write_file(folder / "tables" / (section.table.stem + ".csv"), csv_of(section.table));
-    write_file(folder / "tables" / (section.table.stem + ".tex"), latex_of(section.table));
+    write_text_atomically(folder / "tables" / (section.table.stem + ".txt"), text_of(section.table));
+    write_file(report, folder / "tables" / (section.table.stem + ".csv"), csv_of(section.table));
+    write_file(report, folder / "tables" / (section.table.stem + ".tex"), latex_of(section.table));
     for (const PlotSpec& plot : section.plots) {
-      write_file(folder / "plots" / (plot.stem + ".json"), json_of(plot));
+      write_text_atomically(folder / "plots" / (plot.stem + ".json"), json_of(plot));
       draw(report, folder, "plot", plot.stem, csv_of(section.table), plot.title);
     }
   }
 }
 
-/// Writes tables/layers-ratios.csv, which contains two ratios for each case. The first ratio is the frame
-/// time with all layers divided by the frame time with half of the layers. The second ratio is the frame time
-/// with all layers divided by the frame time with a quarter of the layers. Every round of the measurement
-/// draws one frame with each of these three numbers of layers.
+/// Writes tables/layers-ratios.csv: the frame time with all layers divided by those with half and with a
+/// quarter of them, drawn in the same rounds.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
-  write_file(folder / "tables" / "layers-ratios.csv", in_turns_csv(cells));
+  write_text_atomically(folder / "tables" / "layers-ratios.csv", in_turns_csv(cells));
   report.scaling += in_turns_text(cells);
 }
 
-/// Writes a table and a plot of the frame time against layers, pixels and triangles. The plot program also
-/// fits a model to the times. The function appends the text of this fit to the table.
+/// Writes a table and a plot of the frame time against layers, pixels and triangles, and appends the text of
+/// the plot program's fit to the table.
 void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;
   report.scaling = scaling_text(cells);
+  report.files.emplace_back("scaling.csv", scaling_csv(cells));
   if (draw(report, folder, "scaling", "scaling", scaling_csv(cells),
            "Frame time against layers, pixels and triangles")) {
     std::ifstream fit(folder / "plots/scaling.txt");
     report.scaling += std::string(std::istreambuf_iterator<char>(fit), {});
   }
-  write_file(folder / "tables" / "scaling.txt", report.scaling);
+  write_text_atomically(folder / "tables" / "scaling.txt", report.scaling);
 }
 
-/// Compares each cell's picture file with the hashes in its rows. If no hash is equal, clears Cell::image and
-/// adds the file to `left_out`.
+/// Clears Cell::image if the file is not the picture that a row recorded, and adds the file to `left_out`.
 void drop_other_pictures(std::vector<Cell>& cells, std::vector<LeftOut>& left_out) {
   for (Cell& c : cells) {
     if (c.picture_hashes.empty() || !fs::is_regular_file(c.image) ||
@@ -107,9 +104,8 @@ void drop_other_pictures(std::vector<Cell>& cells, std::vector<LeftOut>& left_ou
   }
 }
 
-/// Copies one picture for each combination of experiment, changes on the command line, model and value of the
-/// axis "reading". If a combination has several pictures, the function chooses the pictures with the largest
-/// number of layers, and among them the picture with the smallest width.
+/// Copies one picture for each combination of experiment, changes on the command line, model and reading: of
+/// several pictures that with the most layers, and among these the one with the smallest width.
 void copy_pictures(Report& report, const fs::path& folder) {
   std::map<std::tuple<std::string, std::string, std::string, std::string>, const Cell*> best;
   auto rank = [](const Cell& c) {
@@ -128,15 +124,10 @@ void copy_pictures(Report& report, const fs::path& folder) {
     const std::string file = file_name_of(name + ".png");
     std::error_code error;
     fs::copy_file(cell->image, folder / "images" / file, fs::copy_options::overwrite_existing, error);
-    if (error)
-      report.notes.push_back(fmt::format("images/{}: {}", file, error.message()));
-    else
-      report.pictures.push_back({name_of(*cell) + (changes.empty() ? "" : "; changed: " + changes), file});
+    if (error) report.notes.push_back(fmt::format("images/{}: {}", file, error.message()));
   }
 }
 
-/// Adds a note with the number of rows from a loaded machine. While these rows were timed, other processes
-/// used more than `most_other_share` of the CPU time.
 void note_load(Report& report, const std::vector<FoundRow>& rows) {
   std::size_t timed = 0, loaded = 0;
   for (const FoundRow& found : rows) {
@@ -151,7 +142,6 @@ void note_load(Report& report, const std::vector<FoundRow>& rows) {
                     loaded, timed, 100 * most_other_share));
 }
 
-/// Adds a note with the number of rows that several journals contain.
 void note_copies(Report& report, const std::vector<FoundRow>& rows) {
   const auto copied =
       std::count_if(rows.begin(), rows.end(), [](const FoundRow& f) { return !f.copies.empty(); });
@@ -160,22 +150,20 @@ void note_copies(Report& report, const std::vector<FoundRow>& rows) {
         "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
 }
 
-/// Returns the number of different devices.
 std::size_t devices_of(const std::vector<Cell>& cells) {
   std::set<std::string> devices;
   for (const Cell& c : cells) devices.insert(c.device);
   return devices.size();
 }
 
-/// Returns the number of different pairs of a device and a host.
 std::size_t hosts_of(const std::vector<Cell>& cells) {
   std::set<std::pair<std::string, std::string>> hosts;
   for (const Cell& c : cells) hosts.emplace(c.device, c.host);
   return hosts.size();
 }
 
-/// Decides which of the papers' claims hold in these rows, and writes the verdicts to tables/claims.csv.
-/// Claims about experiments that are not in the rows are left out.
+/// Writes the verdicts on the papers' claims to tables/claims.csv, without claims about experiments that are
+/// not in the rows.
 void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder) {
   try {
     report.claims = claims::judge(claims::read_claims(claims::shipped_claims()), rows);
@@ -183,10 +171,8 @@ void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::p
     report.notes.push_back(fmt::format("the report has no claims: {}", error.what()));
   }
   std::erase_if(report.claims, [](const claims::Judged& judged) { return judged.device.empty(); });
-  if (report.claims.empty()) return;
-  std::string csv;
-  for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
-  write_file(folder / "tables" / "claims.csv", csv);
+  if (!report.claims.empty())
+    write_file(report, folder / "tables" / "claims.csv", csv_lines(claims::table_of(report.claims)));
 }
 
 }  // namespace
@@ -232,15 +218,15 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   for (LeftOut& one : without_numbers(report.cells, rows)) left_out.push_back(std::move(one));
   if (!left_out.empty()) report.sections.push_back(left_out_section(left_out));
   write_sections(report, folder);
-  write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
-  report.solvers = solver_lines(rows);
-  if (!report.solvers.empty())
-    write_file(folder / "tables" / "topology-solvers-ratios.csv", csv_of(report.solvers));
+  write_text_atomically(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
+  report.solvers = solver_table(rows);
+  if (!report.solvers.lines.empty())
+    write_file(report, folder / "tables" / (report.solvers.stem + ".csv"), csv_of(report.solvers));
   judge_claims(report, rows, folder);
   write_scaling(report, folder);
   write_in_turns(report, folder);
-  write_file(folder / "references.bib", bibliography_of(rows));
-  write_file(folder / "provenance.txt", provenance_of(rows));
+  write_file(report, folder / "references.bib", bibliography_of(rows));
+  write_file(report, folder / "provenance.txt", provenance_of(rows));
   return report;
 }
 

@@ -1,5 +1,3 @@
-#include "harness/report/scaling.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include <tuple>
 
 #include "harness/base/numbers.hpp"
-#include "harness/report/sections.hpp"
+#include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -31,8 +29,7 @@ std::array<int, 2> size_of(const Cell& cell) {
   return {size.width, size.height};
 }
 
-/// Returns the cell that has `layers` layers and otherwise the same device, host, variant, model and picture
-/// size as the cell `like`. Returns null if there is no such cell.
+/// Returns the cell with `layers` layers that is otherwise like the cell `like`; null if there is none.
 const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int layers) {
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
     return c.device == like.device && c.host == like.host && c.variant == like.variant &&

@@ -24,9 +24,9 @@ bool any_axis(const std::vector<Cell>& cells, const char* axis) {
   return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(axis); });
 }
 
-/// Returns the beginning of the file names for a group of cells, such as "scaling-up-z-mine-800x600". For
-/// each key that the user changed, this text contains the last part of the key and the value ("up-z" for
-/// mesh.up = z). For the keys `model` and `size`, this text contains only the value.
+/// Returns the beginning of the file names for a group of cells, such as "scaling-up-z-mine-800x600": for
+/// each key that the user changed, the last part of the key and the value; for `model` and `size` only the
+/// value.
 std::string stem_of(const Cell& cell, const Sources& sources) {
   std::string stem = cell.experiment;
   if (sources.several_devices) stem += "-" + cell.device;
@@ -66,8 +66,7 @@ std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string&
   return case_sections(cells, stem, sources);
 }
 
-/// Makes the file names of the sections unique: if two sections have the file name x, the second one is
-/// renamed to x-2.
+/// Makes the file names unique: of two sections with the file name x, the second one is renamed to x-2.
 void separate(std::vector<Section>& sections) {
   std::map<std::string, int> uses;
   for (Section& section : sections) {
@@ -111,11 +110,19 @@ std::string title_of(const std::vector<Cell>& cells) {
 }
 
 Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
-                   const std::string& stem, const Sources& sources) {
+                   const std::string& stem, const Sources& sources, const Layout& layout,
+                   std::vector<std::string> remarks) {
   Section section{table_of(cells, columns), {}};
-  section.table.title = title_of(cells);
-  section.table.subtitle = subtitle_of(cells, sources.several_hosts);
-  section.table.stem = stem;
+  Table& table = section.table;
+  table.title = title_of(cells);
+  table.subtitle = subtitle_of(cells, sources.several_hosts);
+  table.stem = stem;
+  table.layout = {present(table, layout.blocks), present(table, layout.rows), present(table, layout.groups),
+                  present(table, layout.values)};
+  add_varying_keys(table, cells);
+  add_footnotes(table, sources.note);
+  table.remarks = std::move(remarks);
+  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   return section;
 }
 

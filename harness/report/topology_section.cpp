@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "harness/report/case_table.hpp"
 #include "harness/report/sections.hpp"
@@ -17,8 +16,7 @@ std::string all_but_topology(Cell cell) {
   return name_of(cell) + "\n" + cell.variant;
 }
 
-/// Returns the topologies that occur in `cells`, in the order in which the key dynamics.topology lists its
-/// choices.
+/// Returns the topologies of the cells in the order of the key's choices.
 std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Table& table) {
   std::vector<std::string> names;
   for (const std::string& name : table.columns[std::size_t(column_of(table, axis))].order)
@@ -27,8 +25,8 @@ std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Tab
   return names;
 }
 
-/// Returns the cell with the topology `first` whose variant and other axes are equal to those of `like`.
-/// Returns null if there is no such cell, or if the cell has no time.
+/// Returns the cell with the topology `first` and a time that is otherwise like `like`; null if there is
+/// none.
 const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
   const std::string place = all_but_topology(like);
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
@@ -42,8 +40,6 @@ std::optional<double> simulate_ms(const Cell& c) {
   return found == c.phase_ms.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Returns a table with one line per topology. Each line contains the topology's frame time divided by the
-/// frame time of the first topology, and the simulation's share of the frame time.
 Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& topologies) {
   Table table;
   table.title = "Simulation's share of the frame time";
@@ -78,8 +74,7 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
   }
   table.remarks = {
       "Frame: frame time divided by the frame time of the first topology (geometric mean over the cases). "
-      "Share: "
-      "time of the simulation divided by the frame time."};
+      "Share: time of the simulation divided by the frame time."};
   return table;
 }
 
@@ -101,19 +96,12 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
     if (c.column.name == "median_ms") c.column.heading = "frame";
     if (c.column.name == "simulate_ms") c.column.heading = "simulate";
   }
-  Section section = section_of(cells, columns, stem, sources);
+  Section section = section_of(
+      cells, columns, stem, sources,
+      {{"layers", "size"}, {"model", "triangles"}, {axis}, {"median_ms", "simulate_ms"}},
+      {"frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, "
+       "measured by the device's timer."});
   Table& table = section.table;
-  table.layout = {present(table, {"layers", "size"}),
-                  present(table, {"model", "triangles"}),
-                  {axis},
-                  present(table, {"median_ms", "simulate_ms"})};
-  add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
-  table.remarks = {
-      "frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, "
-      "measured "
-      "by the device's timer."};
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
   if (view == View{} && column_of(table, "triangles") >= 0)
     view = {.x = "triangles",

@@ -6,12 +6,10 @@
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
-#include "harness/measure/program_hashes.hpp"
 #include "harness/measure/provenance.hpp"
-#include "harness/record/part_hashes.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
-#include "harness/subjects/baseline_scene.hpp"
+#include "harness/subjects/in_turns.hpp"
 
 namespace pelage {
 namespace {
@@ -20,8 +18,7 @@ std::string hash(const std::string& text) {
   return Hash().text(text).hex();
 }
 
-/// Returns the sampling limits as text. Every number has its shortest decimal form, so that equal limits have
-/// equal texts.
+/// Every number has its shortest decimal form, so that equal limits have equal texts.
 std::string text_of(const SamplingLimits& l) {
   return fmt::format("{} {} {} {} {}", l.warm_up_s, l.least, l.most, l.precision, l.limit_s);
 }

@@ -2,9 +2,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/compare/shares.hpp"
-#include "harness/record/part_hashes.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/measure/memory.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"

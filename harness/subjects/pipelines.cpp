@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include "harness/springs/studies/study.hpp"
-#include "harness/subjects/baseline_scene.hpp"
-#include "harness/subjects/fewer_layers.hpp"
 #include "harness/subjects/frames.hpp"
+#include "harness/subjects/in_turns.hpp"
 #include "harness/subjects/raycast_difference.hpp"
-#include "harness/subjects/with_opengl.hpp"
 #include "harness/system/strands/backends.hpp"
 
 namespace pelage {

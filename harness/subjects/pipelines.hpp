@@ -15,16 +15,14 @@ namespace pelage {
 /// studies.
 std::vector<std::string_view> pipelines();
 
-/// Returns the data from which the subjects of a run (the objects that the harness times) are made. `tuning`
-/// maps the names of tuning axes (kernel parameters that affect only speed) to values. The context calls
-/// `progress` with a text at each long preparation step.
+/// Returns the data from which the subjects of a run are made. The context calls `progress` with a text at
+/// each long preparation step.
 std::shared_ptr<SubjectContext> make_context(const cl::Device& device, const Experiment& experiment,
                                              const std::map<std::string, int>& tuning,
                                              const std::function<void(const std::string&)>& progress);
 
-/// Returns a factory of subjects (objects that the harness times). For a case of the context's experiment,
-/// the factory makes a subject that runs the case's pipeline. The factory throws Unsupported for an unknown
-/// pipeline. It keeps the meshes that it loads in memory for later cases.
+/// Returns a factory of subjects that run the pipeline of their case. It throws Unsupported for an unknown
+/// pipeline, and keeps the meshes that it loads in memory for later cases.
 MakeSubject subjects_of(std::shared_ptr<SubjectContext> context);
 
 }  // namespace pelage

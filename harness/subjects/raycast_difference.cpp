@@ -1,6 +1,5 @@
 #include "harness/subjects/raycast_difference.hpp"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/compare/metrics.hpp"
@@ -28,8 +27,7 @@ std::size_t fur_pixels(const Picture& picture) {
   return count;
 }
 
-/// Returns the picture of the means of squares of `side` x `side` pixels. Squares that are not entirely
-/// inside the picture are left out.
+/// Returns the means of squares of `side` x `side` pixels that are entirely inside the picture.
 Picture block_means(const Picture& picture, int side) {
   Picture means{picture.width / side, picture.height / side, {}};
   for (int y = 0; y < means.height; ++y)

@@ -1,19 +1,15 @@
 // Writes tables as CSV (comma-separated values).
-#include <charconv>
-
+#include "harness/base/numbers.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
 
-/// Returns whether a spreadsheet could interpret the text as a formula. This is the case if the text begins
-/// with =, +, -, @, a tab or a carriage return, and is not a number.
+/// Whether a spreadsheet could take the text for a formula: it begins with =, +, -, @, a tab or a carriage
+/// return, and is not a number.
 bool is_formula(const std::string& text) {
   if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
-  double number = 0;
-  const char* first = text.data() + (text.front() == '+' ? 1 : 0);
-  const auto [end, code] = std::from_chars(first, text.data() + text.size(), number);
-  return code != std::errc{} || end != text.data() + text.size();
+  return !double_of(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
 }
 
 }  // namespace
@@ -34,16 +30,20 @@ std::string csv_line(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-std::string csv_of(const Table& table) {
-  std::vector<std::string> fields;
-  for (const Column& column : table.columns) fields.push_back(column.name);
-  std::string text = csv_line(fields);
-  for (const auto& line : table.lines) {
-    fields.clear();
-    for (const Value& value : line) fields.push_back(value.data);
-    text += csv_line(fields);
-  }
+std::string csv_lines(const std::vector<std::vector<std::string>>& lines) {
+  std::string text;
+  for (const std::vector<std::string>& line : lines) text += csv_line(line);
   return text;
+}
+
+std::string csv_of(const Table& table) {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const Column& column : table.columns) lines[0].push_back(column.name);
+  for (const auto& line : table.lines) {
+    lines.emplace_back();
+    for (const Value& value : line) lines.back().push_back(value.data);
+  }
+  return csv_lines(lines);
 }
 
 }  // namespace pelage

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
@@ -9,8 +11,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a table cell (an HTML element "td"). The HTML report sorts a table by the attribute data-sort of
-/// its cells, or by their text if this attribute is missing. The attribute data-cell contains Value::cell.
+/// Returns a "td" element. The page sorts a table by the attribute data-sort of its cells, or else by their
+/// text. data-cell contains Value::cell.
 std::string cell_of(const std::optional<Value>& value) {
   if (!value) return "<td>–</td>";
   std::string attributes;
@@ -43,24 +45,12 @@ std::string html_head(const Pivot& pivot, const Pivot::Block& block) {
 }  // namespace
 
 std::string html_text(const std::string& text) {
+  static const std::map<char, std::string_view> escapes{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string result;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
+    const auto escape = escapes.find(c);
+    result += escape == escapes.end() ? std::string_view(&c, 1) : escape->second;
   }
   return result;
 }

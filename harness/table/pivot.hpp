@@ -1,5 +1,4 @@
-// Arranges the lines of a table as a cross table. The table's layout (Table::layout) defines the arrangement.
-// Readers see this cross table in text, LaTeX and HTML.
+// Arranges the lines of a table as the cross table that Table::layout defines.
 #pragma once
 #include <optional>
 #include <string>
@@ -26,8 +25,7 @@ struct Pivot {
   std::vector<Block> blocks;  ///< one block without a heading if Layout::blocks is empty
 };
 
-/// Arranges the lines as a cross table that shows every line. If two lines belong in the same cells, the
-/// second line gets a separate row.
+/// If two lines belong in the same cells, the second line gets a separate row.
 Pivot pivot_of(const Table& table);
 
 /// Joins the parts with ", ".

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "harness/base/numbers.hpp"
 
@@ -24,8 +23,8 @@ std::string_view take_digits(std::string_view& text) {
   return digits;
 }
 
-/// Compares two texts character by character, but compares numbers in the texts by value. Returns a negative
-/// number if `a` precedes `b`, 0 if they are equal, else a positive number.
+/// Compares two texts character by character, but numbers in them by value. Returns a negative number, 0 or a
+/// positive number.
 int compare_texts(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
     if (is_digit(a.front()) && is_digit(b.front())) {

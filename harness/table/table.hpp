@@ -1,6 +1,5 @@
-// A table of a report, independent of the file format. It has named columns and one line per measurement. In
-// text, LaTeX and HTML (render.hpp), readers see the lines as a cross table. The table's layout determines
-// which columns the cross table shows, and where. CSV files contain all columns and one line per measurement.
+// A table of a report: named columns and one line per measurement. CSV files contain all of it; in text,
+// LaTeX and HTML (render.hpp), readers see the lines as a cross table, which the layout determines.
 #pragma once
 #include <optional>
 #include <string>
@@ -20,32 +19,27 @@ struct Value {
 };
 
 Value text_value(const std::string& text);
-/// Returns a value for the number: `data` has six significant digits, and `shown` is three_digits() of the
-/// number. If there is no number, `data` is "" and `shown` is "-".
+/// `data` has six significant digits, and `shown` three_digits(). Without a number they are "" and "-".
 Value number_value(std::optional<double> number);
-/// Returns a value for the number, rounded to a whole number. If there is no number, `data` is "" and `shown`
-/// is "-".
+/// The same for a number rounded to a whole number.
 Value count_value(std::optional<double> number);
 
 /// Returns the number with three significant digits and at most four decimals: "0.842", "12.3", "267".
-/// Numbers of 1000 or more keep all digits before the decimal point. Numbers below 0.0001 have an exponent.
+/// Numbers of 1000 or more keep all digits before the point. Numbers below 0.0001 have an exponent.
 std::string three_digits(double number);
 
 struct Column {
   std::string name;     ///< heading in CSV, for example "median_ms"
   std::string heading;  ///< heading in the cross table, for example "frame, ms"
-  /// Format of the column's values in headings of blocks and groups (Layout). For example, "{} layers" shows
-  /// the value 16 as "16 layers".
+  /// Format of the values in headings of blocks and groups: "{} layers" shows the value 16 as "16 layers".
   std::string label = "{}";
-  /// Values of the column in the order in which the cross table shows their blocks or groups (Layout). Values
-  /// that are not in this list come last, sorted by natural_less().
+  /// Values in the order of their blocks or groups; others come last, sorted by natural_less().
   std::vector<std::string> order = {};
 };
 
-/// The layout of the cross table. All four lists contain names of columns. Each combination of values of the
-/// `blocks` columns has its own block, which is a separate table. In a block, each combination of values of
-/// the `rows` columns has a row, and each combination of values of the `groups` columns has a group of
-/// columns. Each group has one column for each name in `values`.
+/// The layout of the cross table: names of columns. Each combination of values of `blocks` has its own block
+/// (a separate table), each of `rows` a row in it, and each of `groups` a group of columns, with one column
+/// for each name in `values`.
 struct Layout {
   std::vector<std::string> blocks, rows, groups, values;
 };
@@ -65,16 +59,15 @@ struct Table {
 /// Returns the index of the column, or -1 if there is no such column.
 int column_of(const Table& table, std::string_view name);
 
-/// Returns whether `a` precedes `b`. Numbers are sorted by value, and picture sizes ("800x600") by their
-/// number of pixels. Numbers and picture sizes precede other texts. Numbers inside other texts are also
-/// sorted by value: "k2" precedes "k10".
+/// Numbers are sorted by value, picture sizes ("800x600") by their number of pixels, both before other texts.
+/// Numbers inside other texts are also sorted by value: "k2" precedes "k10".
 bool natural_less(const std::string& a, const std::string& b);
 
-/// Returns the text that a heading shows for the value: Column::label with "{}" replaced by the value.
+/// Returns Column::label with "{}" replaced by the value.
 std::string with_value(const Column& column, const std::string& value);
 
-/// Returns whether the value `a` of the column precedes the value `b` in Column::order. Values that are not
-/// in this list are compared by natural_less().
+/// Whether `a` precedes `b` in Column::order. Values that are not in this list are compared by
+/// natural_less().
 bool precedes(const Column& column, const std::string& a, const std::string& b);
 
 }  // namespace pelage

@@ -26,8 +26,8 @@ std::string text_cell(const std::optional<Value>& value) {
   return value->mark.empty() ? value->shown : value->shown + " " + value->mark;
 }
 
-/// Returns whether the head of the table has a second line, with the headings of the values below the
-/// headings of the groups.
+/// Whether the head of the table has a second line, with the headings of the values below those of the
+/// groups.
 bool two_heads(const Pivot& pivot) {
   return pivot.groups.size() != 1 || !pivot.groups[0].empty() ? pivot.values.size() > 1 : true;
 }
@@ -59,8 +59,7 @@ Widths widths_of(const Pivot& pivot) {
   return widths;
 }
 
-/// Returns the text of a line's key columns. The first column is left-aligned, and the others are
-/// right-aligned.
+/// The first key column is left-aligned, and the others are right-aligned.
 std::string keys_line(const std::vector<std::string>& texts, const Widths& widths) {
   std::string line;
   for (std::size_t k = 0; k < texts.size(); ++k)

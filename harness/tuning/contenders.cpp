@@ -8,7 +8,6 @@
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
-#include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/opencl/wet_stage.hpp"

@@ -19,22 +19,16 @@ namespace fs = std::filesystem;
 
 constexpr int kMost = 1 << 20;
 
-std::string place(const fs::path& file, const toml::node& node, const std::string& name) {
-  return fmt::format("{}:{}: {}", file.string(), node.source().begin.line, name);
-}
-
 int axis_value(const fs::path& file, const toml::node& node, const std::string& name) {
   const auto value = node.value_exact<std::int64_t>();
   if (!value || *value < 0 || *value > kMost)
-    throw InputError(place(file, node, name) +
-                     ": the value of a tuning axis must be a whole number from 0 to 1048576");
+    refuse(file, &node, name + ": the value of a tuning axis must be a whole number from 0 to 1048576");
   return int(*value);
 }
 
 void check_name(const fs::path& file, const toml::node& node, const std::string& name) {
   if (!RE2::FullMatch(name, "[A-Z][A-Z0-9_]*"))
-    throw InputError(place(file, node, name) +
-                     ": the name of a tuning axis must be in capitals, such as TILE_W");
+    refuse(file, &node, name + ": the name of a tuning axis must be in capitals, such as TILE_W");
 }
 
 void collect(const fs::path& file, const toml::table& table, bool nested, const std::set<std::string>& known,
@@ -48,10 +42,9 @@ void collect(const fs::path& file, const toml::table& table, bool nested, const 
     const int value = axis_value(file, node, name);
     check_name(file, node, name);
     if (!known.contains(name))
-      throw InputError(fmt::format("{}: no such tuning axis; the tuning axes are {}", place(file, node, name),
-                                   fmt::join(known, ", ")));
-    if (!into.emplace(name, value).second)
-      throw InputError(place(file, node, name) + ": the axis occurs twice");
+      refuse(file, &node,
+             fmt::format("{}: no such tuning axis; the tuning axes are {}", name, fmt::join(known, ", ")));
+    if (!into.emplace(name, value).second) refuse(file, &node, name + ": the axis occurs twice");
   }
 }
 
@@ -60,9 +53,9 @@ TuningAxis axis_of(const fs::path& file, const std::string& name, const toml::no
   const toml::table* table = node.as_table();
   const toml::array* values = table ? (*table)["values"].as_array() : nullptr;
   if (!values || values->empty())
-    throw InputError(
-        place(file, node, name) +
-        ": an axis must be a table with the keys 'what', 'values' (a list) and optionally 'shipped'");
+    refuse(
+        file, &node,
+        name + ": an axis must be a table with the keys 'what', 'values' (a list) and optionally 'shipped'");
   TuningAxis axis{name, (*table)["what"].value_or(std::string{}), {}, {}};
   for (const toml::node& value : *values) axis.values.push_back(axis_value(file, value, name));
   if (const toml::node* shipped = table->get("shipped")) axis.shipped = axis_value(file, *shipped, name);

@@ -12,7 +12,6 @@ namespace pelage {
 /// Values of tuning axes by name. An axis that is absent has its shipped (default) value.
 using Tuning = std::map<std::string, int>;
 
-/// A parameter that changes a kernel's speed but not its results.
 struct TuningAxis {
   std::string name;            ///< "TILE_W"
   std::string what;            ///< description, one line
@@ -23,19 +22,18 @@ struct TuningAxis {
 /// Returns the folders of kernels/ that contain a tuning.toml, sorted by name.
 std::vector<std::string> tunable_stages();
 
-/// Returns the axes of kernels/<stage>/tuning.toml, in the order of the file. If the file is invalid, throws
-/// InputError; the message gives the file, the line and the valid form. If the stage has no axes, throws
-/// InputError with a list of the stages that have axes.
+/// Returns the axes of kernels/<stage>/tuning.toml, in the order of the file. The InputError for an invalid
+/// file has the file, the line and the valid form; that for a stage without axes lists the stages that have
+/// some.
 std::vector<TuningAxis> tuning_axes(const std::string& stage);
 
 /// Reads a TOML file with lines of the form `AXIS = whole number`, at the top level or in tables named after
-/// folders of kernels/. The tables only group the axes. If a value is invalid or an axis does not exist,
-/// throws InputError; the message gives the file, the line and the key.
+/// folders of kernels/, which only group the axes. The InputError for an invalid value or axis has the file,
+/// the line and the key.
 Tuning read_tuning(const std::filesystem::path& file);
 
-/// Returns the text of a tuning file in which `values` replace the values of `stage`. The values of other
-/// stages are kept. `before` is the text of the file before the replacement; it is empty if there is no file.
-/// `note` becomes a comment above the values of `stage`.
+/// Returns the text of a tuning file, `before` (empty if there is none), in which `values` replace the values
+/// of `stage`. `note` becomes a comment above them.
 std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
                        const std::string& note);
 

@@ -12,20 +12,18 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Times the configurations of a list on every scene, and compares their times with the time of the first
-/// configuration. `trusted` holds, for each scene, the hashes of outputs that are known to be correct.
+/// Times configurations on every scene relative to the first one. `trusted` holds, for each scene, the hashes
+/// of outputs that are known to be correct.
 class Contest {
  public:
   Contest(const std::vector<TuningScene>& scenes, std::vector<std::set<std::uint64_t>>& trusted)
       : scenes_(scenes), trusted_(trusted) {}
 
-  /// Times the configurations in `field` and returns one Candidate for each of them, in the same order. The
-  /// first configuration is the incumbent, so its Candidate::ratio is 1.
+  /// Returns one Candidate per configuration. The first is the incumbent, so its Candidate::ratio is 1.
   std::vector<Candidate> run(const std::vector<Tuning>& field, int rounds) {
     std::vector<Candidate> result(field.size());
     for (std::size_t i = 0; i < field.size(); ++i) result[i].tuning = field[i];
-    // The quotient of a configuration is its time divided by the incumbent's time for the same scene and
-    // round. logs[i][r] is the sum of the logarithms of these quotients over the scenes.
+    // logs[i][r]: sum over the scenes of the logarithms of the configuration's time / the incumbent's time.
     std::vector<std::vector<double>> logs(field.size(), std::vector<double>(std::size_t(rounds), 0.0));
     for (std::size_t s = 0; s < scenes_.size(); ++s) take_turns(s, rounds, result, logs);
     for (std::size_t i = 0; i < field.size(); ++i) {
@@ -97,8 +95,7 @@ Tuning with(Tuning tuning, const TuningAxis& axis, std::optional<int> value) {
   return tuning;
 }
 
-/// Returns the incumbent, followed by the configurations that differ from the incumbent in this axis only and
-/// have not been tried.
+/// Returns the incumbent, and the configurations that differ from it in this axis only and are not yet tried.
 std::vector<Tuning> field_of(const Tuning& incumbent, const TuningAxis& axis, const std::set<Tuning>& known) {
   std::vector<Tuning> field{incumbent};
   std::vector<std::optional<int>> values{std::nullopt};

@@ -1,5 +1,5 @@
-// Searches for the fastest values of the tuning axes on a device. A candidate is a configuration of the
-// kernels that the search times. Candidates run alternately. A candidate with wrong output cannot win.
+// Searches for the fastest values of the tuning axes on a device. Candidates run alternately. A candidate
+// with wrong output cannot win.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -19,28 +19,25 @@ class Contender {
   virtual double run_ms() = 0;              ///< runs the work once more and returns its time in ms
   virtual std::uint64_t output_hash() = 0;  ///< hash of the last run's output
   virtual std::string kernel_hash() const { return {}; }  ///< hash of the OpenCL programs
-  /// Compares the last output with the output of the reference implementation. Returns the fault in one line,
-  /// or an empty string if the output is correct.
+  /// Compares the last output with the reference. Returns the fault in one line, or "" if it is correct.
   virtual std::string fault() = 0;
 };
 
 /// A scene on which configurations are timed.
 struct TuningScene {
   std::string name;
-  /// Prepares a configuration for timing. Throws an exception if the device cannot run the configuration. The
-  /// search then stores the message of the exception in Candidate::fault.
+  /// Prepares a configuration for timing. The message of an exception becomes Candidate::fault.
   std::function<std::unique_ptr<Contender>(const Tuning&)> make;
 };
 
 /// A configuration of the kernels and the result of its timing.
 struct Candidate {
   Tuning tuning;
-  /// Time of this configuration divided by the time of the incumbent (the best configuration so far). Each
-  /// round gives one such quotient for each scene, and the geometric mean of these quotients is the ratio of
-  /// the round. This variable is the median of the rounds' ratios.
+  /// Time of this configuration divided by that of the incumbent (the best configuration so far): the median
+  /// over the rounds of the geometric mean over the scenes.
   double ratio = 0;
   Interval interval;  ///< 95% confidence interval of the ratio, computed from the rounds
-  /// Reason why the candidate cannot win: a failed check, or an error of the run. Empty if there is no fault.
+  /// Reason why the candidate cannot win: a failed check, or an error of the run.
   std::string fault;
   bool wins = false;  ///< whether `fault` is empty and the upper bound of `interval` is below 1
 };
@@ -48,8 +45,7 @@ struct Candidate {
 struct TuningSearch {
   Tuning best;  ///< fastest values that give correct output; empty if the shipped values are fastest
   std::vector<Candidate> tried;  ///< all candidates in the order in which they were tried
-  /// The last incumbent, timed once more against the shipped configuration. `last.tuning` is empty if no
-  /// candidate won.
+  /// The last incumbent, timed once more against the shipped configuration. No tuning if no candidate won.
   Candidate last;
   std::string fault;  ///< fault of the shipped configuration; if it is not empty, the search did not run
 };
@@ -57,18 +53,14 @@ struct TuningSearch {
 /// Searches one axis after the other, in at most two passes over all axes. The incumbent is the best
 /// configuration so far; at first it is the shipped configuration. For each axis, the candidates are the
 /// configurations that differ from the incumbent in this axis only. The incumbent and the candidates run
-/// alternately on each scene, for `rounds` rounds. Candidate::ratio is the time of a candidate divided by the
-/// time of the incumbent. A candidate wins if its output is correct and the upper bound of the 95% interval
-/// of this ratio is below 1. The fastest winner becomes the incumbent. One of many candidates may win by
-/// chance. Therefore the search compares the last incumbent with the shipped configuration once more, with
-/// twice the rounds. If the incumbent does not win this comparison, the search returns the shipped
-/// configuration.
+/// alternately on each scene, for `rounds` rounds. A candidate wins if its output is correct and the upper
+/// bound of the 95% interval of its ratio is below 1. The fastest winner becomes the incumbent. One of many
+/// candidates may win by chance. Therefore the search compares the last incumbent with the shipped
+/// configuration once more, with twice the rounds, and returns the shipped configuration if it does not win.
 ///
-/// The search compares the output of the shipped configuration with the output of the reference
-/// implementation (Contender::fault()). If the last output of a candidate is bit-identical to an output that
-/// passed this comparison, the output of the candidate is correct. The search compares any other output with
-/// the output of the reference implementation. It calls `told` with each candidate after the candidate's
-/// timing.
+/// The output of a candidate is correct if it is bit-identical to an output that passed the comparison with
+/// the reference (Contender::fault()), or if it passes this comparison. The search calls `told` with each
+/// timed candidate.
 TuningSearch search_tuning(const std::vector<TuningAxis>& axes, const std::vector<TuningScene>& scenes,
                            int rounds, const std::function<void(const Candidate&)>& told);
 

@@ -1,4 +1,3 @@
-// Tests the folder of an animation: which frames are kept, and which folders are refused.
 #include "harness/animation/frame_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -7,13 +6,12 @@
 
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <iterator>
 #include <random>
 #include <thread>
 
-#include "harness/error.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -37,12 +35,7 @@ Picture picture(int frame) {
 }
 
 std::string refusal(const fs::path& folder, bool resume, const FrameOrigin& from = origin) {
-  try {
-    const FrameFolder opened(folder, from, resume);
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal([&] { FrameFolder(folder, from, resume); }, "");
 }
 
 bool says(const std::string& text, const std::string& part) {

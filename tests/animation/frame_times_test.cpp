@@ -1,10 +1,9 @@
-// Tests the times of the frames of an animation.
 #include "harness/animation/frame_times.hpp"
 
 #include <gtest/gtest.h>
 
-#include "harness/error.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -17,13 +16,7 @@ Scene scene_of(const std::string& text) {
 }
 
 std::string frames_refusal(const TimeOptions& options, const std::string& scene = "") {
-  try {
-    const FrameTimes times = frame_times(options, scene_of(scene));
-    check_frames(scene_of(scene), times);
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal([&] { check_frames(scene_of(scene), frame_times(options, scene_of(scene))); }, "");
 }
 
 TEST(FrameTimes, TheLastFrameIsAtTheEnd) {

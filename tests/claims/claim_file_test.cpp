@@ -1,10 +1,8 @@
-// Tests the reader of claim files, and its messages about files with errors.
-#include "harness/claims/claim_file.hpp"
-
 #include <gtest/gtest.h>
 
-#include "harness/error.hpp"
+#include "harness/claims/claim.hpp"
 #include "tests/claims/rows.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -15,14 +13,9 @@ using test::file_of;
 /// Reads a file claims.toml that contains `text`. Returns the end of the error message, from the file's name
 /// on. Returns "" if the reader accepts the file.
 std::string message(const std::string& text) {
-  try {
-    file_of(text);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-    return what.substr(what.find("claims.toml"));
-  }
-  return {};
+  const std::string what = pelage::test::refusal([&] { file_of(text); }, "");
+  EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+  return what.empty() ? what : what.substr(what.find("claims.toml"));
 }
 
 TEST(ClaimFiles, HoldEveryKey) {
@@ -129,13 +122,8 @@ relation = { at_most = 1 }
   EXPECT_EQ(file.claims[1].process_spread, 0.2);
   const auto error = [&](const std::string& more) -> std::string {
     write("more.toml", more);
-    try {
-      read_claims(folder.path / "main.toml");
-    } catch (const InputError& e) {
-      const std::string what = e.what();
-      return what.substr(what.rfind('/') + 1);
-    }
-    return "";
+    const std::string what = pelage::test::refusal([&] { read_claims(folder.path / "main.toml"); });
+    return what.substr(what.rfind('/') + 1);
   };
   EXPECT_EQ(error(one), "more.toml:1: two claims have the id one");
   EXPECT_EQ(error("include = []\n" + one), "more.toml:1: unknown key include (known: [[claim]])");
@@ -146,52 +134,44 @@ relation = { at_most = 1 }
 TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
   const std::string level = "name = \"level\"", limit = "{ at_most = 1 }";
   EXPECT_EQ(message(claim_text(level, limit)), "");
-  EXPECT_EQ(message("x = 1\n"),
-            "claims.toml:1: unknown key x (known: [[claim]], include, process_spread, separate_processes)");
-  EXPECT_EQ(message(""), "claims.toml: there is no [[claim]]; docs/experiments.md describes the format");
-  EXPECT_EQ(message("[[claim]]\nid = 3\n"), "claims.toml:2: claim: id must be a string");
-  EXPECT_EQ(message("[[claim]]\nstatement = \"s\"\n"), "claims.toml:1: claim: id = \"...\" is missing");
-  EXPECT_EQ(message("[[claim]]\nid = \"a\"\n"), "claims.toml:1: claim a: statement = \"...\" is missing");
-  EXPECT_EQ(message("[[claim]]\nid = \"a\"\nstatement = \"s\"\n"),
-            "claims.toml:1: claim a: rows = { experiment = \"NAME\" } or untestable = \"REASON\" is missing");
-  EXPECT_EQ(
-      message(claim_text("name = \"slope\"", limit)),
-      "claims.toml:5: claim c: effect: name = \"slope\" is unknown (known: level, ratio, ratio-by-phase, "
-      "elasticity, linearity, ratio-trend, share-of-cases)");
-  EXPECT_EQ(message(claim_text("name = \"ratio\", axis = \"layers\", of = 64", limit)),
-            "claims.toml:5: claim c: effect: the effect needs of = ... and to = ..., two values of the axis "
-            "layers");
-  EXPECT_EQ(message(claim_text(level + ", axis = \"layers\"", limit)),
-            "claims.toml:5: claim c: effect: the key axis is unknown or has no meaning here (known here: "
-            "combine, name, per, quantity)");
-  EXPECT_EQ(
-      message(claim_text(level, "{ }")),
-      "claims.toml:6: claim c: relation: the relation has no limit; give at_most, at_least, below, above, "
-      "between or about");
-  EXPECT_EQ(message(claim_text(level, "{ at_most = 1, at_least = 0 }")),
-            "claims.toml:6: claim c: relation: a claim has only one relation");
-  EXPECT_EQ(message(claim_text(level, "{ at_most = nan }")),
-            "claims.toml:6: claim c: relation: at_most must be a finite number");
-  EXPECT_EQ(
-      message(claim_text(level, "{ between = [2, 1] }")),
-      "claims.toml:6: claim c: relation: between needs two numbers, the smaller one first: between = [0.8, "
-      "1.25]");
-  EXPECT_EQ(message(claim_text(level, "{ about = 1 }")),
-            "claims.toml:6: claim c: relation: the relation about needs the number tolerance");
-  EXPECT_EQ(message(claim_text(level, "\"decreasing\"")),
-            "claims.toml:6: claim c: \"decreasing\" needs the effect elasticity or ratio-trend");
-  EXPECT_EQ(
-      message(claim_text(level, "\"smaller\"")),
-      "claims.toml:6: claim c: relation = \"smaller\" is unknown; give \"decreasing\", \"increasing\" or a "
-      "table such as { at_most = 0.5 }");
-  EXPECT_EQ(
-      message(claim_text(level, limit, "experiment = \"own\", where = { step = 0.5 }")),
-      "claims.toml:4: claim c: rows: a value in where is neither a string nor a whole number; write decimal "
-      "numbers as strings, with the digits of the experiment file");
-  EXPECT_EQ(message(claim_text(level, limit, "experiment = \"own\", cases = 0")),
-            "claims.toml:4: claim c: rows: cases = 0 is not between 1 and 1e+06");
-  EXPECT_EQ(message(claim_text(level, limit) + claim_text(level, limit)),
-            "claims.toml:7: two claims have the id c");
+  for (const auto& [text, wanted] : std::vector<std::pair<std::string, std::string>>{
+           {"x = 1\n", ":1: unknown key x (known: [[claim]], include, process_spread, separate_processes)"},
+           {"", ": there is no [[claim]]; docs/experiments.md describes the format"},
+           {"[[claim]]\nid = 3\n", ":2: claim: id must be a string"},
+           {"[[claim]]\nstatement = \"s\"\n", ":1: claim: id = \"...\" is missing"},
+           {"[[claim]]\nid = \"a\"\n", ":1: claim a: statement = \"...\" is missing"},
+           {"[[claim]]\nid = \"a\"\nstatement = \"s\"\n",
+            ":1: claim a: rows = { experiment = \"NAME\" } or untestable = \"REASON\" is missing"},
+           {claim_text("name = \"slope\"", limit),
+            ":5: claim c: effect: name = \"slope\" is unknown (known: level, ratio, ratio-by-phase, "
+            "elasticity, linearity, ratio-trend, share-of-cases)"},
+           {claim_text("name = \"ratio\", axis = \"layers\", of = 64", limit),
+            ":5: claim c: effect: the effect needs of = ... and to = ..., two values of the axis layers"},
+           {claim_text(level + ", axis = \"layers\"", limit),
+            ":5: claim c: effect: the key axis is unknown or has no meaning here (known here: combine, name, "
+            "per, quantity)"},
+           {claim_text(level, "{ }"),
+            ":6: claim c: relation: the relation has no limit; give at_most, at_least, below, above, between "
+            "or about"},
+           {claim_text(level, "{ at_most = 1, at_least = 0 }"),
+            ":6: claim c: relation: a claim has only one relation"},
+           {claim_text(level, "{ at_most = nan }"), ":6: claim c: relation: at_most must be a finite number"},
+           {claim_text(level, "{ between = [2, 1] }"),
+            ":6: claim c: relation: between needs two numbers, the smaller one first: between = [0.8, 1.25]"},
+           {claim_text(level, "{ about = 1 }"),
+            ":6: claim c: relation: the relation about needs the number tolerance"},
+           {claim_text(level, "\"decreasing\""),
+            ":6: claim c: \"decreasing\" needs the effect elasticity or ratio-trend"},
+           {claim_text(level, "\"smaller\""),
+            ":6: claim c: relation = \"smaller\" is unknown; give \"decreasing\", \"increasing\" or a table "
+            "such as { at_most = 0.5 }"},
+           {claim_text(level, limit, "experiment = \"own\", where = { step = 0.5 }"),
+            ":4: claim c: rows: a value in where is neither a string nor a whole number; write decimal "
+            "numbers as strings, with the digits of the experiment file"},
+           {claim_text(level, limit, "experiment = \"own\", cases = 0"),
+            ":4: claim c: rows: cases = 0 is not between 1 and 1e+06"},
+           {claim_text(level, limit) + claim_text(level, limit), ":7: two claims have the id c"}})
+    EXPECT_EQ(message(text), "claims.toml" + wanted);
   EXPECT_EQ(message("[[claim]\n").substr(0, 23), "claims.toml:1: not TOML");
   EXPECT_NE(message("separate_processes = 0\n" + claim_text(level, limit)), "");
 }

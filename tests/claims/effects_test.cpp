@@ -1,5 +1,4 @@
-// Tests every effect of a claim (docs/experiments.md) and every quantity from which effects are computed. The
-// expected values were computed by hand.
+// Tests every effect and every quantity of a claim (docs/experiments.md) against values computed by hand.
 #include "harness/claims/effects.hpp"
 
 #include <gtest/gtest.h>
@@ -16,6 +15,11 @@ using test::row;
 
 constexpr double rounding = 1e-9;
 const char* const any = "{ above = -1000 }";
+
+/// Returns the value of an effect, given as TOML.
+double effect_of(const std::vector<FoundRow>& rows, const std::string& effect) {
+  return judged(rows, effect, any).value.value();
+}
 
 std::vector<FoundRow> layers_and_models() {
   return {row({{"layers", "16"}, {"model", "a"}}, 10), row({{"layers", "64"}, {"model", "a"}}, 30),
@@ -42,23 +46,20 @@ TEST(Effects, RatioMatchesTheOtherAxes) {
   EXPECT_NEAR(every.least, 2, rounding);
   EXPECT_NEAR(every.most, 3, rounding);
   EXPECT_EQ(every.decisive, "a");
-  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"geometric-mean\"", any).value.value(),
-              std::sqrt(6.0), rounding);
-  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"mean\"", any).value.value(), 2.5, rounding);
-  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"median\"", any).value.value(), 2.5,
+  EXPECT_NEAR(effect_of(layers_and_models(), ratio + ", combine = \"geometric-mean\""), std::sqrt(6.0),
               rounding);
+  EXPECT_NEAR(effect_of(layers_and_models(), ratio + ", combine = \"mean\""), 2.5, rounding);
+  EXPECT_NEAR(effect_of(layers_and_models(), ratio + ", combine = \"median\""), 2.5, rounding);
 }
 
 TEST(Effects, PhasesAreTimesOfTheSameRow) {
   FoundRow one = row({{"model", "a"}}, 60);
   one.row.samples["simulate"].event_ms = {3, 6, 9};
   one.row.samples["quarter"].wall_ms = {20, 20, 20};
-  EXPECT_NEAR(
-      judged({one}, "name = \"level\", quantity = \"phase-time\", phase = \"simulate\"", any).value.value(),
-      6, rounding);
-  EXPECT_NEAR(
-      judged({one}, "name = \"level\", quantity = \"phase-share\", phase = \"simulate\"", any).value.value(),
-      0.1, rounding);
+  EXPECT_NEAR(effect_of({one}, "name = \"level\", quantity = \"phase-time\", phase = \"simulate\""), 6,
+              rounding);
+  EXPECT_NEAR(effect_of({one}, "name = \"level\", quantity = \"phase-share\", phase = \"simulate\""), 0.1,
+              rounding);
   const Judged turns =
       judged({one},
              "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of "
@@ -74,30 +75,26 @@ TEST(Effects, RatioByPhaseIgnoresTheOtherPhases) {
   slow.row.samples["simulate"].event_ms = {7};
   fast.row.samples["simulate"].event_ms = {2};
   EXPECT_NEAR(
-      judged({slow, fast},
-             "name = \"ratio-by-phase\", phase = \"simulate\", axis = \"solver\", of = \"i\", to = \"e\"",
-             any)
-          .value.value(),
+      effect_of({slow, fast},
+                "name = \"ratio-by-phase\", phase = \"simulate\", axis = \"solver\", of = \"i\", to = \"e\""),
       1.05, rounding);
 }
 
 TEST(Effects, ElasticityIsTheExponent) {
   std::vector<FoundRow> rows;
   for (const int n : {16, 32, 64}) rows.push_back(row({{"layers", std::to_string(n)}}, 5 * std::pow(n, 0.7)));
-  EXPECT_NEAR(judged(rows, "name = \"elasticity\", axis = \"layers\"", any).value.value(), 0.7, rounding);
+  EXPECT_NEAR(effect_of(rows, "name = \"elasticity\", axis = \"layers\""), 0.7, rounding);
   // For picture sizes, the elasticity uses the number of pixels. Four times the pixels take twice the time,
   // so the exponent is 0.5.
-  EXPECT_NEAR(judged({row({{"size", "800x600"}}, 10), row({{"size", "1600x1200"}}, 20)},
-                     "name = \"elasticity\", axis = \"size\"", any)
-                  .value.value(),
+  EXPECT_NEAR(effect_of({row({{"size", "800x600"}}, 10), row({{"size", "1600x1200"}}, 20)},
+                        "name = \"elasticity\", axis = \"size\""),
               0.5, rounding);
   // Names of models are not numbers, so the option `along` uses the metric `triangles` in their place.
   FoundRow small = row({{"model", "a"}}, 10), large = row({{"model", "b"}}, 80);
   small.row.metrics["triangles"] = {100, "triangles"};
   large.row.metrics["triangles"] = {800, "triangles"};
-  EXPECT_NEAR(judged({large, small}, "name = \"elasticity\", axis = \"model\", along = \"triangles\"", any)
-                  .value.value(),
-              1, rounding);
+  EXPECT_NEAR(effect_of({large, small}, "name = \"elasticity\", axis = \"model\", along = \"triangles\""), 1,
+              rounding);
 }
 
 TEST(Effects, LinearityComparesTwoSlopes) {
@@ -106,8 +103,8 @@ TEST(Effects, LinearityComparesTwoSlopes) {
     return std::vector<FoundRow>{row({{"layers", "64"}}, 26 + upper), row({{"layers", "16"}}, 10),
                                  row({{"layers", "32"}}, 26)};
   };
-  EXPECT_NEAR(judged(rows(32), effect, any).value.value(), 1, rounding);
-  EXPECT_NEAR(judged(rows(48), effect, any).value.value(), 1.5, rounding);
+  EXPECT_NEAR(effect_of(rows(32), effect), 1, rounding);
+  EXPECT_NEAR(effect_of(rows(48), effect), 1.5, rounding);
   const Judged two = judged(layers_and_models(), effect, any);
   EXPECT_EQ(two.verdict, Verdict::untestable) << "two values give no slopes to compare";
   EXPECT_EQ(judged(rows(32), effect + ", values = 4", any).verdict, Verdict::untestable);
@@ -143,12 +140,11 @@ TEST(Effects, MetricsMayBeDividedByAnother) {
   one.row.metrics["masses"] = {600, "masses"};
   one.row.metrics["triangles"] = {100, "triangles"};
   const std::string masses = "name = \"level\", quantity = \"metric\", metric = \"masses\"";
-  EXPECT_NEAR(judged({one}, masses, any).value.value(), 600, rounding);
-  EXPECT_NEAR(judged({one}, masses + ", per = \"triangles\"", any).value.value(), 6, rounding);
+  EXPECT_NEAR(effect_of({one}, masses), 600, rounding);
+  EXPECT_NEAR(effect_of({one}, masses + ", per = \"triangles\""), 6, rounding);
   one.row.metrics["paper_fps"] = {50, "fps"};
-  EXPECT_NEAR(
-      judged({one}, "name = \"level\", quantity = \"frame-rate\", per = \"paper_fps\"", any).value.value(), 2,
-      rounding);
+  EXPECT_NEAR(effect_of({one}, "name = \"level\", quantity = \"frame-rate\", per = \"paper_fps\""), 2,
+              rounding);
 }
 
 TEST(Effects, OfThePapersNumbersUseItsRounding) {

@@ -1,5 +1,4 @@
-// Tests which rows decide a claim, how the number of processes affects the verdict, and the reasons of
-// undecided and untestable claims.
+// Tests which rows decide a claim, the effect of the number of processes, and the reasons of other verdicts.
 #include "harness/claims/judge.hpp"
 
 #include <gtest/gtest.h>
@@ -101,9 +100,7 @@ TEST(Judge, JudgesEveryDeviceAlone) {
   EXPECT_EQ(both[1].verdict, Verdict::holds);
 }
 
-// Within one process, each time varies by 1%. One process does not show the spread between processes, so
-// judge() assumes a spread. The interval of the ratio is therefore wider than the samples of this process
-// suggest.
+// The times of one process vary by 1% and do not show the spread between processes, which judge() assumes.
 TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   const auto with = [](const std::string& limit, const std::vector<FoundRow>& rows) {
     return judged(rows, ratio, limit, "experiment = \"own\"", "process_spread = 0.07\n");

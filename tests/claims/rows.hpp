@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/claims/claim_file.hpp"
 #include "harness/claims/judge.hpp"
 #include "tests/support/fake.hpp"
 

@@ -1,4 +1,3 @@
-// Tests the verdicts of decide() for bootstrap draws with known distributions.
 #include "harness/claims/verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -44,9 +43,8 @@ TEST(Verdicts, UseThe95PercentInterval) {
   EXPECT_DOUBLE_EQ(decision.confidence, 0.95);
 }
 
-// The region is the set of effects that satisfy the claim; its limit is 1. One of ten effects is slightly
-// outside the region. The 95% interval of this effect excludes the limit, but Holm's method demands a 99.5%
-// interval, which contains the limit.
+// One of ten effects is slightly above the limit 1. Its 95% interval excludes the limit, but Holm's method
+// demands a 99.5% interval, which contains the limit.
 TEST(Verdicts, OfSeveralEffectsAreCorrectedByHolm) {
   const Region at_most{{}, 1.0};
   const Estimate outside = around(1.97, 1);

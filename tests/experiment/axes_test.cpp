@@ -1,12 +1,10 @@
-// An axis of an experiment is a quantity that varies over the cases. These tests use axes with names that the
-// author of the experiment file chose, such as `mood`. Each value of such an axis is the name of a table in
-// the file. The table contains scene keys. The tests also cover the checks that apply to all axes.
+// Tests axes whose names the author of the experiment file chose, such as `mood`, and the checks of all axes.
 #include "harness/experiment/axes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
-#include "tests/support/fake.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace pelage {
@@ -53,20 +51,19 @@ TEST_F(Axes, ANamedValueSetsSeveralKeys) {
 }
 
 TEST_F(Axes, TheCommandLineMayChooseAmongTheValuesOfTheFile) {
-  EXPECT_EQ(refusal(moods + storm + quick, {.set = {}, .axes = {{"mood", {"calm"}}}, .model = {}}), "");
+  EXPECT_EQ(refusal(moods + storm + quick, {.axes = {{"mood", {"calm"}}}}), "");
   EXPECT_EQ(refusal(moods + storm + "[mood.calm]\n[mood.fog]\ncurl.turns = 2\n" + quick,
-                    {.set = {}, .axes = {{"mood", {"fog"}}}, .model = {}}),
+                    {.axes = {{"mood", {"fog"}}}}),
             "");
   refuses(moods + storm + quick, "axis mood has no value 'clam'; the file has the values calm, storm",
-          {.set = {}, .axes = {{"mood", {"clam"}}}, .model = {}});
+          {.axes = {{"mood", {"clam"}}}});
 }
 
 // pelage refuses an experiment file with a wrong scene key. It does so even if the command line selects only
 // cases that do not use the table with this key.
 TEST_F(Axes, AWrongSceneKeyIsRefusedWithItsLine) {
   refuses(moods + storm + "[mood.calm]\nfur.lenght = 1\n" + quick,
-          "e.toml:10: fur.lenght: no such key; did you mean fur.length?",
-          {.set = {}, .axes = {{"mood", {"storm"}}}, .model = {}});
+          "e.toml:10: fur.lenght: no such key; did you mean fur.length?", {.axes = {{"mood", {"storm"}}}});
   refuses(moods + "[mood.storm]\nfur.length = 99\n" + quick, "e.toml:7: fur.length: 99 is out of range");
 }
 
@@ -99,12 +96,11 @@ TEST_F(Axes, ATableMustNotContradictAnAxis) {
           "the table [mood.storm] sets fur.layers, which the axis layers varies");
   refuses(moods + "[model.torus]\nfur.layers = 4\n[mood.storm]\n" + quick, "[model.torus] sets fur.layers");
   refuses(moods + storm + quick, "--set fur.layers: the axis layers of e varies this key",
-          {.set = {{"fur.layers", "4"}}, .axes = {}, .model = {}});
+          {.set = {{"fur.layers", "4"}}});
   // The command line may set the number of layers to 6, although the table [mood.storm] sets it to 4.
   const Experiment e =
       read("name = \"e\"\n[axes]\nmood = [\"storm\"]\n[mood.storm]\nfur.layers = 4\n" + quick);
-  const auto cases =
-      cases_of(e, preset_of(e, "quick"), {.set = {}, .axes = {{"layers", {"6"}}}, .model = {}});
+  const auto cases = cases_of(e, preset_of(e, "quick"), {.axes = {{"layers", {"6"}}}});
   EXPECT_EQ(scene_of(e, cases.front()).fur.layers, 6);
 }
 

@@ -1,5 +1,3 @@
-// Tests deal(), which divides the cases of a run among shards (parts of the run that separate processes
-// measure). deal() uses the times that the cases took in earlier runs.
 #include "harness/experiment/balance.hpp"
 
 #include <gtest/gtest.h>
@@ -50,9 +48,8 @@ TEST(Deal, EqualTimesAreDealtInTurn) {
   EXPECT_EQ(deal({5.0, 5.0, 5.0, 5.0, 5.0}, 3), (std::vector<int>{0, 1, 2, 0, 1}));
 }
 
-// The load of a shard is the sum of the times of its cases. deal() gives each case to the shard with the
-// smallest load. The smallest load is at most the mean load. Therefore no load exceeds the mean load plus the
-// largest time of a case.
+// The load of a shard is the sum of its times. Each case goes to the smallest load, which is at most the
+// mean. Therefore no load exceeds the mean plus the largest time of a case.
 TEST(Deal, EveryCaseIsInOneShardAndTheLoadsAreBounded) {
   std::mt19937 random(18);
   for (int round = 0; round < 500; ++round) {

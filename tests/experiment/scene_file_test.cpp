@@ -4,7 +4,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "tests/support/fake.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace pelage {
@@ -57,7 +57,7 @@ TEST_F(SceneFile, NamesThePipelineOfVariantsThatNameNone) {
   scene("pipeline = \"strands\"\n");
   EXPECT_EQ(pipelines(""), "strands strands;");
   EXPECT_EQ(pipelines("pipeline = \"reference\""), "reference reference;");
-  EXPECT_EQ(pipelines("", {.set = {{"pipeline", "shells"}}, .axes = {}, .model = ""}), "shells shells/tile;");
+  EXPECT_EQ(pipelines("", {.set = {{"pipeline", "shells"}}}), "shells shells/tile;");
 }
 
 TEST_F(SceneFile, IsOverriddenByKeysTablesAxesAndSet) {
@@ -68,8 +68,7 @@ TEST_F(SceneFile, IsOverriddenByKeysTablesAxesAndSet) {
   EXPECT_EQ(first(e).fur.layers, 8);
   EXPECT_EQ(first(e).shading.lights.size(), 1u);
   EXPECT_EQ(first(e).coat.image, folder.path / "e/own.png");
-  const Scene set = scene_of(
-      e, cases_of(e, preset_of(e, "set"), {.set = {{"fur.strands", "7"}}, .axes = {}, .model = {}}).front());
+  const Scene set = scene_of(e, cases_of(e, preset_of(e, "set"), {.set = {{"fur.strands", "7"}}}).front());
   EXPECT_EQ(set.fur.layers, 12);
   EXPECT_FLOAT_EQ(set.fur.taper, 2.5f);
   EXPECT_EQ(set.fur.strands, 7);

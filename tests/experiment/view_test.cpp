@@ -1,4 +1,3 @@
-// Tests the table [report] of experiment files, which selects the tables and plots of the report.
 #include "harness/experiment/view.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +6,7 @@
 
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "tests/support/fake.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace pelage {

@@ -42,7 +42,7 @@ void journal(std::string_view bytes) {
   const MemoryFile file(with_checksums(bytes));
   may_refuse([&] {
     std::vector<FoundRow> rows;
-    for (Row& row : read_journal(file.path())) {
+    for (Row& row : read_contents(file.path()).rows) {
       const std::string line = to_line(row);
       expect(to_line(row_from_line(line)) == line, "the written row is another row");
       load_warning(row);

@@ -3,7 +3,6 @@
 #include "harness/cl/device.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/experiment/filter.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/record/results_folder.hpp"
 #include "harness/report/comparison.hpp"

@@ -1,5 +1,5 @@
 // The targets that read TOML: scenes, experiments, models, claims and tuning files.
-#include "harness/claims/claim_file.hpp"
+#include "harness/claims/claim.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/scene/scene_toml.hpp"

@@ -1,15 +1,14 @@
-// Tests the measurement of the CPU time of this process and of other processes.
 #include "harness/measure/cpu_use.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
-#include <csignal>
+#include <cstring>
+#include <memory>
 #include <thread>
-#include <vector>
+
+#include "harness/error.hpp"
+#include "tests/support/busy.hpp"
 
 namespace pelage {
 namespace {
@@ -57,19 +56,9 @@ TEST(CpuUse, OthersTakeWhatIsBusyAndNotOurs) {
 TEST(CpuWatch, SeesOtherProcessesAndWaitsForTheTicks) {
   const CpuWatch watch;
   EXPECT_FALSE(watch.other_share()) << "at once";
-  std::vector<pid_t> children;
-  for (long i = 0; i < sysconf(_SC_NPROCESSORS_ONLN); ++i) {
-    const pid_t child = fork();
-    if (child == 0)
-      for (;;) burn(1000);
-    children.push_back(child);
-  }
+  const test::BusyMachine others;
   std::this_thread::sleep_for(std::chrono::milliseconds(1000));
   const std::optional<double> share = watch.other_share();
-  for (const pid_t child : children) {
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
-  }
   if (!share) GTEST_SKIP() << "no /proc/stat here, or it stands still";
   EXPECT_GT(*share, 0.5);
 }
@@ -83,6 +72,51 @@ TEST(CpuWatch, WarnsAboveATenthAndOnlyWhereItIsKnown) {
   row.provenance["other_cpu_share"] = 0.426;
   EXPECT_EQ(load_warning(row),
             "torus-16: other processes took 43% of the machine's CPU time while this case was timed");
+}
+
+constexpr std::size_t much = std::size_t(64) << 20;
+
+TEST(PeakMemory, SeesWhatWasTakenAndGivenBack) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer keeps freed memory in its quarantine, so that the mark does not fall";
+#endif
+  reset_peak_memory();
+  const std::uint64_t before = peak_memory();
+  if (before == 0) GTEST_SKIP() << "no VmHWM here";
+  {
+    const auto block = std::make_unique<char[]>(much);
+    std::memset(block.get(), 1, much);
+    EXPECT_EQ(block[much / 2], 1);
+  }
+  const std::uint64_t with = peak_memory();
+  EXPECT_GE(with, before + much - (much >> 3));
+  reset_peak_memory();
+  EXPECT_LT(peak_memory(), with);
+}
+
+TEST(Quiet, Modes) {
+  EXPECT_EQ(quiet_machine_from_text(""), QuietMachine::unchecked);
+  EXPECT_EQ(quiet_machine_from_text("warn"), QuietMachine::warn);
+  EXPECT_EQ(quiet_machine_from_text("require"), QuietMachine::require);
+  EXPECT_THROW(quiet_machine_from_text("yes"), InputError);
+}
+
+TEST(Quiet, LooksOnceOrWaits) {
+  int asked = 0;
+  const auto busy_until = [&asked](int quiet_from) {
+    asked = 0;
+    return [&asked, quiet_from]() -> std::optional<double> { return ++asked < quiet_from ? 0.42 : 0.05; };
+  };
+  EXPECT_EQ(disturbance(QuietMachine::unchecked, busy_until(100)), "");
+  EXPECT_EQ(asked, 0);
+  EXPECT_EQ(disturbance(QuietMachine::warn, busy_until(3)),
+            "other processes use 42% of the machine's CPU time");
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(disturbance(QuietMachine::require, busy_until(3)), "");
+  EXPECT_EQ(asked, 3);
+  EXPECT_NE(disturbance(QuietMachine::require, busy_until(1000)), "");
+  EXPECT_EQ(asked, most_waits);
+  EXPECT_EQ(disturbance(QuietMachine::require, [] { return std::optional<double>(); }), "");
 }
 
 }  // namespace

@@ -100,9 +100,8 @@ struct Rates {
   int decided = 0, above = 0;
 };
 
-/// Simulates 4000 comparisons of eight processes with eight other processes, and counts the decisions.
-/// `change` is the true relative difference. The logarithms of the processes' medians have the standard
-/// deviation 0.02.
+/// Counts the decisions in 4000 simulated comparisons of eight processes with eight others, with the true
+/// relative difference `change` and a standard deviation of 0.02 of the logarithms of their medians.
 Rates rates_of(double change, double threshold, double alpha) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0, 0.02);

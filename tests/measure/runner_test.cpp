@@ -9,7 +9,6 @@
 #include <csignal>
 #include <limits>
 #include <random>
-#include <set>
 #include <thread>
 
 #include "harness/error.hpp"
@@ -31,7 +30,21 @@ MakeSubject fakes() {
 
 const SamplingLimits kShort{0, 6, 10, 0.5, 1};
 
-TEST(Runner, AnOkRowHoldsItsSamplesAndSaysWhereItComesFrom) {
+/// Runs a case whose subject is a FakeSubject of this type, made from the arguments.
+template <class Fake, class... Arguments>
+Row row_of(Arguments... arguments) {
+  const RunPlan plan = fake_plan(1);
+  return run_case(plan, plan.cases[0], kShort,
+                  [=](const Case&) { return std::make_unique<Fake>(arguments...); });
+}
+
+/// Every test has a journal in a temporary folder.
+struct Runner : ::testing::Test {
+  Folder folder;
+  Journal journal{folder.path / "j.jsonl", Journal::Mode::fresh};
+};
+
+TEST_F(Runner, AnOkRowHoldsItsSamplesAndSaysWhereItComesFrom) {
   RunPlan plan = fake_plan(1);
   plan.provenance["host"] = "h";
   const Row row = run_case(plan, plan.cases[0], kShort, fakes());
@@ -52,9 +65,8 @@ struct Slow : FakeSubject {
   }
 };
 
-TEST(Runner, ARowSaysWhatOtherProcessesTook) {
-  const RunPlan plan = fake_plan(1);
-  const Row row = run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Slow>(); });
+TEST_F(Runner, ARowSaysWhatOtherProcessesTook) {
+  const Row row = row_of<Slow>();
   ASSERT_EQ(row.status, Status::ok) << row.reason;
   if (!std::ifstream("/proc/stat")) GTEST_SKIP() << "no /proc/stat";
   ASSERT_TRUE(row.provenance.contains("other_cpu_share"));
@@ -62,10 +74,8 @@ TEST(Runner, ARowSaysWhatOtherProcessesTook) {
   EXPECT_LE(row.provenance.at("other_cpu_share").get<double>(), 1);
 }
 
-TEST(Runner, AFailedCheckPublishesNoTime) {
-  const RunPlan plan = fake_plan(1);
-  const Row row = run_case(plan, plan.cases[0], kShort,
-                           [](const Case&) { return std::make_unique<FakeSubject>(10.0, 59.9); });
+TEST_F(Runner, AFailedCheckPublishesNoTime) {
+  const Row row = row_of<FakeSubject>(10.0, 59.9);
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_TRUE(row.samples.empty());
   EXPECT_FALSE(row.metrics.contains("fragments_per_s"));
@@ -78,10 +88,8 @@ struct Compared : FakeSubject {
   void describe(Row& row) override { row.metrics["opengl_ratio"] = {12, "times"}; }
 };
 
-TEST(Runner, AFailedCheckPublishesNoRatioOfTimes) {
-  const RunPlan plan = fake_plan(1);
-  const Row row =
-      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Compared>(); });
+TEST_F(Runner, AFailedCheckPublishesNoRatioOfTimes) {
+  const Row row = row_of<Compared>();
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_FALSE(row.metrics.contains("opengl_ratio"));
 }
@@ -96,26 +104,17 @@ struct Diverging : FakeSubject {
   Picture read() override { return {1, 1, {glm::vec4(std::numeric_limits<float>::quiet_NaN())}}; }
 };
 
-TEST(Runner, NothingCheckedIsNotOk) {
-  const RunPlan plan = fake_plan(1);
-  EXPECT_EQ(
-      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Unchecked>(); }).status,
-      Status::failed_check);
-  EXPECT_EQ(
-      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Diverging>(); }).status,
-      Status::diverged);
+TEST_F(Runner, NothingCheckedIsNotOk) {
+  EXPECT_EQ(row_of<Unchecked>().status, Status::failed_check);
+  EXPECT_EQ(row_of<Diverging>().status, Status::diverged);
 }
 
 /// Every comparison with NaN is false, so a check whose value is NaN must fail.
-TEST(Runner, ACheckThatIsNotANumberFails) {
-  const RunPlan plan = fake_plan(1);
-  EXPECT_EQ(run_case(plan, plan.cases[0], kShort,
-                     [](const Case&) { return std::make_unique<FakeSubject>(10.0, std::nan("")); })
-                .status,
-            Status::failed_check);
+TEST_F(Runner, ACheckThatIsNotANumberFails) {
+  EXPECT_EQ(row_of<FakeSubject>(10.0, std::nan("")).status, Status::failed_check);
 }
 
-TEST(Runner, ACaseMustMeetWhatItsExperimentRequires) {
+TEST_F(Runner, ACaseMustMeetWhatItsExperimentRequires) {
   RunPlan plan = fake_plan(1);
   for (const auto& [least, status] : {std::pair{12.0, Status::ok}, {12.5, Status::failed_check}}) {
     plan.cases[0].require = {{"triangles", least}};
@@ -125,9 +124,7 @@ TEST(Runner, ACaseMustMeetWhatItsExperimentRequires) {
   EXPECT_EQ(run_case(plan, plan.cases[0], kShort, fakes()).status, Status::failed_check);
 }
 
-TEST(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
-  const Folder folder;
-  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
+TEST_F(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
   const RunPlan plan = fake_plan(4);
   const RunSummary summary = run_cases(
       plan,
@@ -140,7 +137,7 @@ TEST(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
       journal);
   EXPECT_EQ(summary.ok, 3u);
   EXPECT_EQ(summary.not_ok, 1u);
-  const auto rows = read_journal(journal.file());
+  const auto rows = read_contents(journal.file()).rows;
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1].status, Status::error);
   EXPECT_NE(rows[1].reason.find("log line 2"), std::string::npos);
@@ -148,24 +145,20 @@ TEST(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
   EXPECT_EQ(rows[3].status, Status::ok);
 }
 
-TEST(Runner, BadInputOfACaseIsARowWithAnError) {
-  const Folder folder;
-  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
+TEST_F(Runner, BadInputOfACaseIsARowWithAnError) {
   const RunSummary summary = run_cases(
       fake_plan(1), [](const Case&) -> std::unique_ptr<Subject> { throw InputError("cow.off: empty"); },
       journal);
   EXPECT_EQ(summary.not_ok, 1u);
-  const auto rows = read_journal(journal.file());
+  const auto rows = read_contents(journal.file()).rows;
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].status, Status::error);
   EXPECT_EQ(rows[0].reason, "cow.off: empty");
 }
 
-TEST(Runner, ASpentBudgetLeavesTheRest) {
-  const Folder folder;
+TEST_F(Runner, ASpentBudgetLeavesTheRest) {
   RunPlan plan = fake_plan(3);
   plan.budget_s = 0;
-  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
   EXPECT_EQ(run_cases(plan, fakes(), journal).left, 3u);
   plan.budget_s = 100;
   EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
@@ -181,12 +174,10 @@ struct Endless : FakeSubject {
   }
 };
 
-TEST(Runner, CasesThatNeverConvergeShareTheBudget) {
-  const Folder folder;
+TEST_F(Runner, CasesThatNeverConvergeShareTheBudget) {
   RunPlan plan = fake_plan(4);
   plan.limits = {0, 1, 1000000, 0, 100};
   plan.budget_s = 0.8;
-  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
   const RunSummary summary = run_cases(
       plan, [](const Case&) { return std::make_unique<Endless>(); }, journal);
   EXPECT_EQ(summary.ok, 4u);
@@ -198,10 +189,8 @@ struct Covering : FakeSubject {
   void describe(Row& row) override { row.metrics["covered_fragments"] = {5e6, "fragments"}; }
 };
 
-TEST(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
-  const RunPlan plan = fake_plan(1);
-  const Row row =
-      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Covering>(); });
+TEST_F(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
+  const Row row = row_of<Covering>();
   ASSERT_TRUE(row.metrics.contains("fragments_per_s")) << row.reason;
   EXPECT_NEAR(row.metrics.at("fragments_per_s").value, 5e8, 1e6);  // 5e6 fragments in 10.0 ms
   EXPECT_EQ(row.metrics.at("fragments_per_s").unit, "1/s");
@@ -249,12 +238,11 @@ std::string without_times(Row row) {
 
 std::vector<std::string> contents(const fs::path& file) {
   std::vector<std::string> lines;
-  for (const Row& row : read_journal(file)) lines.push_back(without_times(row));
+  for (const Row& row : read_contents(file).rows) lines.push_back(without_times(row));
   return lines;
 }
 
-TEST(Runner, KilledAndResumedGivesTheSameRows) {
-  const Folder folder;
+TEST_F(Runner, KilledAndResumedGivesTheSameRows) {
   const int cases = 24;
   ASSERT_EQ(run_in_child(folder.path / "whole.jsonl", cases, -1, 0), 0);
   const auto whole = contents(folder.path / "whole.jsonl");
@@ -277,8 +265,7 @@ TEST(Runner, KilledAndResumedGivesTheSameRows) {
   EXPECT_GE(killed, 20) << "too few of the kills hit a running sweep";
 }
 
-TEST(Runner, InterruptedEndsWithItsCodeAndAWholeJournal) {
-  const Folder folder;
+TEST_F(Runner, InterruptedEndsWithItsCodeAndAWholeJournal) {
   std::mt19937_64 random(1);
   int interrupted = 0;
   for (int moment = 0; moment < 30; ++moment) {

@@ -1,5 +1,5 @@
-// Tests sweeps (runs of all cases of an experiment) with the pelage binary and the preset `smoke`. The tests
-// kill sweeps, resume them, and divide them among processes.
+// Kills, resumes and divides sweeps (runs of all cases of an experiment) with the program and the preset
+// `smoke`.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <memory>
 #include <random>
 #include <set>
@@ -46,8 +45,7 @@ int pelage(std::vector<std::string> words, double kill_after_s = -1) {
   return status;
 }
 
-/// Returns all rows without the values that differ between two runs of the same experiment, such as times,
-/// paths and dates. The rows keep their case, status, picture, checks and hashes.
+/// Returns all rows without the values that differ between two runs, such as times, paths and dates.
 std::set<std::string> said(const std::string& folder) {
   std::set<std::string> lines;
   for (FoundRow& found : read_results({folder})) {

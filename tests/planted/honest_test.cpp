@@ -2,8 +2,8 @@
 // the results of a correct run, and must not put rows of the same measurement into separate reports. The
 // second table of docs/results.md lists these tests.
 
-#include "harness/record/part_hashes.hpp"
-#include "harness/report/left_out.hpp"
+#include "harness/record/identity.hpp"
+#include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
 
 namespace pelage::planted {

@@ -2,7 +2,7 @@
 // new, correct checksum. The first table of docs/results.md lists these tests.
 #include <cmath>
 
-#include "harness/report/left_out.hpp"
+#include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -114,7 +114,7 @@ fs::path Runs::journal(const std::string& results) const {
 }
 
 std::vector<Row> Runs::rows(const std::string& results) const {
-  return read_journal(journal(results));
+  return read_contents(journal(results)).rows;
 }
 
 void Runs::reseal(const std::function<void(Row&)>& change, const std::string& results) const {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/record/all_results.hpp"
+#include "harness/record/results_folder.hpp"
 #include "harness/report/cells.hpp"
 #include "tests/cli/shell.hpp"
 

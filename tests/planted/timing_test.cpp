@@ -1,12 +1,11 @@
 // Tests that pelage detects wrong times, and pictures that do not show the timed frames. The first table of
 // docs/results.md lists these tests.
-#include <csignal>
-
 #include "harness/measure/runner.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/subjects/case_identity.hpp"
 #include "harness/subjects/pipelines.hpp"
 #include "tests/planted/runs.hpp"
+#include "tests/support/busy.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace pelage::planted {
@@ -200,36 +199,12 @@ TEST_F(Planted, WallClockThatSteps) {
     EXPECT_TRUE(ms > 0 && ms < Compiling::hour_ms) << ms;
 }
 
-/// Uses all CPUs of the machine until it is destroyed.
-class BusyMachine {
- public:
-  BusyMachine() {
-    for (long i = 0; i < sysconf(_SC_NPROCESSORS_ONLN); ++i) {
-      const pid_t child = fork();
-      if (child == 0)
-        for (volatile unsigned long count = 0;;) count = count + 1;
-      children_.push_back(child);
-    }
-  }
-  ~BusyMachine() {
-    for (const pid_t child : children_) {
-      kill(child, SIGKILL);
-      waitpid(child, nullptr, 0);
-    }
-  }
-  BusyMachine(const BusyMachine&) = delete;
-  BusyMachine& operator=(const BusyMachine&) = delete;
-
- private:
-  std::vector<pid_t> children_;
-};
-
 TEST_F(Planted, LoadedMachine) {
   if (!std::ifstream("/proc/stat")) GTEST_SKIP() << "no /proc/stat";
   folder.write("own.toml", base_experiment());
   folder.edit("own.toml", "warm_up_s = 0.0", "warm_up_s = 1.0");
   {
-    const BusyMachine busy;
+    const test::BusyMachine busy;
     expect_has(done(folder, "run own.toml --filter -4- -o results").err,
                "pelage: warning: torus_24x12-4-320x240: other processes took ");
   }

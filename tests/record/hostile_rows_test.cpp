@@ -14,15 +14,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Applies `change` to a sample row, and returns the line of the changed row with a correct checksum.
-std::string changed(const std::function<void(Json&)>& change) {
+/// Returns the line of a row with this text, which lacks the last brace, and a correct checksum.
+std::string line_of(const std::string& body) {
+  const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
+  return fmt::format("{},\"crc\":\"{:08x}\"}}", body, sum);
+}
+
+/// Applies `change` to a sample row, and returns the text of the changed row without the last brace.
+std::string changed_text(const std::function<void(Json&)>& change) {
   Json json = Json::parse(to_line(test::sample_row("a")));
   json.erase("crc");
   change(json);
   std::string body = json.dump();
   body.pop_back();
-  const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
-  return fmt::format("{},\"crc\":\"{:08x}\"}}", body, sum);
+  return body;
+}
+
+std::string changed(const std::function<void(Json&)>& change) {
+  return line_of(changed_text(change));
 }
 
 std::string refusal_of_line(const std::string& line) {
@@ -37,14 +46,8 @@ TEST(HostileRows, AnUnchangedRowIsAccepted) {
 // nesting would therefore overflow the stack.
 TEST(HostileRows, DeepNestingIsRefused) {
   const auto nested = [](std::size_t depth) {
-    Json json = Json::parse(to_line(test::sample_row("a")));
-    json.erase("crc");
-    json.erase("provenance");
-    std::string body = json.dump();
-    body.back() = ',';
-    body += "\"provenance\":{\"x\":" + std::string(depth, '[') + std::string(depth, ']') + "}";
-    const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
-    return fmt::format("{},\"crc\":\"{:08x}\"}}", body, sum);
+    return line_of(changed_text([](Json& row) { row.erase("provenance"); }) +
+                   ",\"provenance\":{\"x\":" + std::string(depth, '[') + std::string(depth, ']') + "}");
   };
   EXPECT_EQ(refusal_of_line(nested(10)), "accepted");
   EXPECT_EQ(refusal_of_line(nested(100)), "the row contains values that are nested more than 32 deep");

@@ -1,6 +1,4 @@
-// Tests the identity of rows, which consists of hashes of everything that determines what a row measured. The
-// tests check how two identities are compared, which rows pelage refuses, which cases run again, and that
-// several copies of a row count as one row.
+// Tests which rows pelage refuses, which cases run again, and that several copies of a row count as one row.
 #include "harness/record/identity.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +70,7 @@ TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
   Row row = sample_row("a");
   row.schema = 4;
   write_text(folder.path / "j.jsonl", to_line(row) + "\n");
-  const std::string text = refusal_of_call([&] { read_journal(folder.path / "j.jsonl"); });
+  const std::string text = refusal_of_call([&] { read_contents(folder.path / "j.jsonl"); });
   EXPECT_NE(text.find("j.jsonl:1: the row has schema 4"), std::string::npos) << text;
   EXPECT_EQ(text.find("delete"), std::string::npos) << text;
 }
@@ -93,7 +91,7 @@ TEST(Journal, AFailedCaseRunsAgain) {
     EXPECT_TRUE(journal.holds(row_key(failed)));
     EXPECT_NE(refusal_of_call([&] { journal.append(failed); }), "");
   }
-  const std::vector<Row> rows = read_journal(file);
+  const std::vector<Row> rows = read_contents(file).rows;
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows.front().status, Status::ok);
 }

@@ -160,8 +160,8 @@ TEST(Journal, ReadersPassOverATornTail) {
   const fs::path file = folder.path / "j.jsonl";
   const std::string first = to_line(sample_row("a")) + "\n";
   write_text(file, first + first.substr(0, 20));
-  EXPECT_EQ(read_journal(file).size(), 1u);
-  EXPECT_FALSE(error_of([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
+  EXPECT_EQ(read_contents(file).rows.size(), 1u);
+  EXPECT_FALSE(error_of([&] { read_contents(folder.path / "absent.jsonl"); }).empty());
 }
 
 // The functions below replace system calls of the journal. The variables g_* select which calls fail. The

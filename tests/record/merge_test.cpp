@@ -1,11 +1,8 @@
-// A merge copies the rows of several folders of results into one new folder. The tests check what the merge
-// does with rows: it writes them into one journal or into separate folders, leaves them out, or refuses them.
-// The tests also check which files the merge writes, and their contents.
+// Tests into which journals a merge writes rows, and which it leaves out or refuses.
 #include "harness/record/merge.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -74,7 +71,7 @@ struct Inputs {
 
 std::vector<std::string> cases_of(const fs::path& journal) {
   std::vector<std::string> names;
-  for (const Row& row : read_journal(journal)) names.push_back(row.case_name);
+  for (const Row& row : read_contents(journal).rows) names.push_back(row.case_name);
   return names;
 }
 
@@ -203,7 +200,7 @@ TEST(Merge, RowsOfSchema1StayReadable) {
   }
   write_merge(inputs.plan({"a", "b"}), inputs.out());
   EXPECT_EQ(cases_of(inputs.out() / "own/gpu@node1.jsonl"), (Names{"a", "b"}));
-  EXPECT_EQ(read_journal(inputs.out() / "own/gpu@node1.jsonl").front().schema, 1);
+  EXPECT_EQ(read_contents(inputs.out() / "own/gpu@node1.jsonl").rows.front().schema, 1);
 }
 
 TEST(Merge, EachRowKeepsItsPicture) {

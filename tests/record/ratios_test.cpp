@@ -1,10 +1,10 @@
-// Tests the metrics that compare the time of a phase with the time of the frame: their direction follows from
-// their name alone, and rows of earlier schemas are read under the present names.
+// The direction of a ratio follows from its name alone; earlier schemas are read under the present names.
 #include "harness/record/ratios.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/fake.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pelage {
 namespace {
@@ -19,12 +19,7 @@ Row row_with(int schema, const std::string& phase, const std::string& metric, do
 }
 
 std::string row_refusal(const Row& row) {
-  try {
-    row_from_line(to_line(row));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { row_from_line(to_line(row)); }, "");
 }
 
 TEST(Ratios, OfAnInventedPhaseHaveOneDirection) {

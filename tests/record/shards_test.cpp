@@ -1,5 +1,4 @@
-// Tests run_states(), which finds the shards and cases of a run that have no rows. A shard is a part of the
-// run that a separate process measures.
+// Tests run_states(), which finds the shards and cases of a run that have no rows.
 #include "harness/record/shards.hpp"
 
 #include <gtest/gtest.h>
@@ -124,9 +123,8 @@ TEST(Shards, EachProcessOfRepeatCounts) {
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 run: 2 of 4 cases"}));
 }
 
-// With the option --balance, each shard computes the division of the cases from the times of earlier runs.
-// Here, shard 1 did not use the same earlier runs as shards 0 and 2, so it measured case 3 instead of case 4.
-// Each shard has the right number of cases, but no shard has case 4.
+// With --balance, each shard divides the cases by the times of earlier runs. Shard 1 did not use the same
+// earlier runs as the others and measured case 3 instead of case 4, so that no shard has case 4.
 TEST(Shards, ACaseThatBelongsToNoShardIsAGap) {
   FakeRun run;
   run.add(0, {0, 3});

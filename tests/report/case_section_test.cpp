@@ -1,4 +1,4 @@
-// Tests the remarks below the table of any experiment, and the names of cases in them.
+// Tests the remarks below the table of any experiment, the names of cases and columns in them, and plots.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,6 +86,53 @@ TEST(CaseSection, NamesCasesWithEqualPictures) {
   rows = test::own_rows({{"variant", {"a", "b"}}});
   rows[0].row.image_hash = rows[1].row.image_hash = "0000000000000001";
   for (const std::string& text : remarks_of(rows)) EXPECT_EQ(text.find("Equal pictures"), std::string::npos);
+}
+
+/// Returns a plot of two numbers in the column `name`. The view asks for logarithmic axes.
+PlotSpec plot_of(const std::string& name, const std::string& heading) {
+  Table table;
+  table.columns = {{.name = "layers", .heading = "layers"}, {.name = name, .heading = heading}};
+  table.lines = {{text_value("4"), text_value("20")}, {text_value("8"), text_value("40")}};
+  std::vector<std::string> notes;
+  const auto plots =
+      plots_of(table, {}, {.x = "layers", .y = {name}, .x_scale = "log", .y_scale = "log"}, notes);
+  EXPECT_EQ(plots.size(), 1u);
+  return plots.empty() ? PlotSpec{} : plots.front();
+}
+
+TEST(PlotSpec, DecibelsHaveALinearScale) {
+  EXPECT_EQ(plot_of("quality", "quality, ms").y_scale, "log");
+  EXPECT_EQ(plot_of("quality", "quality, dB").y_scale, "linear");
+}
+
+TEST(PlotSpec, RatiosToABaselineHaveALineAtOne) {
+  EXPECT_EQ(plot_of("frame_over_baseline", "frame_over_baseline, times").guide, 1);
+  EXPECT_EQ(plot_of("quality", "quality, times").guide, std::nullopt);
+}
+
+using Warnings = std::vector<std::string>;
+
+TEST(ViewCheck, NamesAMisspeltAxisOrTime) {
+  const std::map<std::string, std::string> axes{{"layers", "4"}, {"mood", "calm"}};
+  EXPECT_EQ(
+      view_warnings({.x = "layer", .y = {"medan_ms"}, .series = {"mood"}}, axes),
+      (Warnings{
+          "report.x names the column layer, which is neither an axis nor a time of the table; did you "
+          "mean layers?",
+          "report.y names the column medan_ms, which is neither an axis nor a time of the table; did you "
+          "mean median_ms?"}));
+  // The names of phases and metrics are not known before the run.
+  EXPECT_EQ(view_warnings({.x = "triangles", .y = {"simulate_ms", "error_rms"}, .panels = {"mood"}}, axes),
+            Warnings{});
+}
+
+TEST(ViewCheck, AcceptsTheShippedExperiments) {
+  for (const auto& file : experiment_files()) {
+    const Experiment experiment = read_experiment(file);
+    std::map<std::string, std::string> axes;
+    for (const Axis& axis : experiment.axes) axes[axis.key] = axis.values.front();
+    EXPECT_EQ(view_warnings(experiment.view, axes), Warnings{}) << file;
+  }
 }
 
 }  // namespace

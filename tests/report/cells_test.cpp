@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/claims/claim_file.hpp"
 #include "harness/claims/judge.hpp"
 #include "harness/error.hpp"
 #include "tests/report/rows.hpp"

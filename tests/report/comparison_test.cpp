@@ -1,4 +1,3 @@
-// Tests the comparison of two sets of results.
 #include "harness/report/comparison.hpp"
 
 #include <gtest/gtest.h>

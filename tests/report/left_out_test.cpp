@@ -1,7 +1,6 @@
-#include "harness/report/left_out.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
 

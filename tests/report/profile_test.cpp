@@ -1,4 +1,3 @@
-// Tests the table and the plot of pelage profile.
 #include "harness/report/profile.hpp"
 
 #include <gtest/gtest.h>

@@ -1,15 +1,12 @@
 #include "harness/report/report.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "harness/error.hpp"
 #include "harness/report/csv.hpp"

@@ -1,7 +1,5 @@
-// Tests the report's text on how the frame time grows with the number of layers. Also tests that the fit of
-// plots/scaling.py finds the coefficients from which a synthetic table was computed.
-#include "harness/report/scaling.hpp"
-
+// Tests the text on the cost of layers, and that plots/scaling.py finds the coefficients of a synthetic
+// table.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <filesystem>
 
 #include "harness/report/plot.hpp"
+#include "harness/report/report.hpp"
 #include "tests/support/files.hpp"
 
 namespace pelage {

@@ -1,6 +1,4 @@
-// Tests that the tables in the sections of a report contain every case, and that the descriptions of the
-// plots name the right columns. The rows have synthetic times. An axis of an experiment is a quantity that
-// varies over the cases.
+// Tests that the tables of a report contain every case, and that the plots name the right columns.
 #include "harness/report/sections.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "harness/report/report.hpp"
 #include "harness/table/pivot.hpp"
@@ -123,8 +120,7 @@ TEST(Sections, ChangedCasesHaveASectionOfTheirOwn) {
   EXPECT_EQ(column_of(all[1].table, "ratio"), -1) << "the paper did not time this scene";
 }
 
-/// A user may define the axes of an experiment. The table must contain every case. The plot must show the
-/// numeric axis of the experiment along x.
+/// The table of own axes must contain every case. The plot must show the numeric axis along x.
 TEST(CaseSection, HasEveryCaseOfOwnAxes) {
   const auto rows = own_rows({{"model", {"mine.obj"}},
                               {"curl.radius", {"0.05", "0.01", "0.1"}},
@@ -198,9 +194,9 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   EXPECT_EQ(json.at("labels").at("layers"), "{} layers");
 }
 
-/// Returns a row for every case of rivals.toml. pelage's OpenCL pipeline takes 10 ms with curls and 8 ms
-/// for plain shells. On the torus, OpenGL takes 4 times as long. On all other models, OpenGL takes 9 times as
-/// long with curls, and 6 times as long for plain shells.
+/// Returns a row for every case of rivals.toml. OpenCL takes 10 ms with curls and 8 ms for plain shells.
+/// OpenGL takes 4 times as long on the torus, and on all other models 9 times with curls and 6 times for
+/// plain shells.
 std::vector<FoundRow> duel_rows() {
   std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");
   for (FoundRow& found : rows) {
@@ -234,9 +230,8 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
   EXPECT_EQ(pivot.blocks[0].rows.front().cells[0]->data, "4");
   EXPECT_NEAR(number(table, line_with(table, {{"model", "torus"}, {"reading", "default"}}), "opengl_ms"), 40,
               1e-9);
-  // With curls, the time of OpenGL is 4 times the time of OpenCL on 1 of the 8 models, and 9 times on the
-  // other 7 models. The expected geometric mean is (4 * 9^7)^(1/8). The cost of curls is the time with curls
-  // divided by the time of plain shells. It must be 10/8 in OpenCL and 10/8 * 1.5^(7/8) in OpenGL.
+  // The geometric mean with curls is (4 * 9^7)^(1/8). The cost of curls is 10/8 in OpenCL and 10/8 *
+  // 1.5^(7/8) in OpenGL.
   for (const std::string& text : {text_of(table), html_of(table)})
     for (const std::string& part :
          {std::string("9.00 [8.00, 10.00]"),
@@ -341,9 +336,8 @@ TEST(TopologySection, TellsWhatHasNoTime) {
   EXPECT_EQ(value(table, beside, "ratio").data, "");
 }
 
-/// A model given with --model must have the same tables as the models of the experiment. All cases then have
-/// the same number of triangles. The horizontal axis of the plot must therefore be the topology instead of
-/// the number of triangles.
+/// A model given with --model has the same tables. All its cases have the same number of triangles, so the
+/// topology is on the horizontal axis of the plot.
 TEST(TopologySection, HasOwnModels) {
   std::vector<FoundRow> rows = sweep_rows();
   std::erase_if(rows, [](const FoundRow& found) { return found.row.axes.at("model") != "torus"; });

@@ -5,6 +5,7 @@
 
 #include "harness/measure/runner.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/subjects/frames.hpp"
 #include "harness/subjects/pipelines.hpp"
 #include "tests/support/fake.hpp"
 
@@ -82,6 +83,14 @@ TEST(DuelRow, HasTheCpuTimeOfBothPipelines) {
     const auto& samples = one.row.samples.at(phase);
     EXPECT_EQ(samples.cpu_ms.size(), samples.wall_ms.size()) << phase;
   }
+}
+
+TEST(SimulationTimes, TakeTheMeanOfTheTwoMiddleTimes) {
+  SimulationTimes times;
+  for (const double ms : {4.0, 1.0, 2.0, 9.0}) times.add({10, {{"simulate", ms}}});
+  Row row;
+  times.describe(row, 1000);
+  EXPECT_EQ(row.metrics.at("simulate_ns_per_segment").value, 1e6 * 3 / 1000);
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-// Tests tables, their arrangement as cross tables, and their formats.
 #include "harness/table/table.hpp"
 
 #include <fmt/format.h>

@@ -1,12 +1,10 @@
-// Tests that a contender (a configuration of kernels that a tuning search times) reports an error if its
-// output is wrong.
 #include "harness/tuning/contenders.hpp"
 
 #include <gtest/gtest.h>
 
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "tests/support/fake.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
@@ -19,10 +17,8 @@ std::shared_ptr<const FrameInput> small() {
       synthetic::frame(synthetic::lively_scene(), synthetic::torus(), 48, 32, 60));
 }
 
-/// Runs the kernels of `stage` once in their default configuration and compares the output with the
-/// reference. Returns Contender::fault(): a description of the error, or an empty string if the output is
-/// correct. Before the run, the function replaces `text` by `replacement` in a copy of the kernel source
-/// `file`.
+/// Returns the fault of one run of the stage's kernels in their default configuration, after `text` was
+/// replaced by `replacement` in a copy of the kernel source `file`.
 std::string fault_of(const std::string& stage, const std::string& file = {}, const std::string& text = {},
                      const std::string& replacement = {}) {
   const fs::path original = cl::kernel_folder();
@@ -67,9 +63,8 @@ TEST(Contenders, MayWetNoTexelMore) {
   EXPECT_NE(fault_of("wet", "wet/cover.clh", "= m.radius;", "= 0.5f * m.radius;"), "");
 }
 
-// `pelage tune rasterize` writes the contender's hash of the kernel sources into the tuning file. A row of
-// results contains the hash of the Shells object that drew its frames (tests/subjects/shells_test.cpp). If
-// the kernels are equal, the tuning file and the row have equal hashes.
+// The tuning file of `pelage tune rasterize` and a row (tests/subjects/shells_test.cpp) have equal hashes of
+// equal kernels.
 TEST(Contenders, HaveTheKernelHashThatARowHas) {
   const auto contender = tuning_scene("rasterize", "torus", cl::choose_device(""), small()).make({});
   const Shells shells(cl::choose_device(""), small());

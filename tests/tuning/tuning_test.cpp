@@ -1,11 +1,10 @@
-// Tests tuning: the search selects the fastest values with correct output, and tuning files can be read back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "harness/error.hpp"
 #include "harness/tuning/tuning_search.hpp"
-#include "tests/support/fake.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace pelage {

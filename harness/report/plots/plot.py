@@ -98,10 +98,7 @@ def draw_published(axis, rows, x_of, d, look):
 
 
 def least_step(rows, d):
-    """Returns the smallest distance between two values of x, or between their logarithms if the axis is logarithmic.
-
-    Returns 0 if x has only one value.
-    """
+    """Returns the smallest distance between two values of x on its scale; 0 if x has only one value."""
     values = sorted({number(r[d["x"]]) for r in rows if number(r[d["x"]]) is not None})
     if d["x_scale"] == "log":
         values = [math.log(v) for v in values if v > 0]
@@ -111,9 +108,8 @@ def least_step(rows, d):
 def draw_panel(axis, rows, series, categories, keys, d):
     """Draws the series of one panel. Returns a map from the labels of the legend to the drawn artists."""
     handles = {}
-    # Error bars at the same x would cover each other. They are therefore drawn beside each other. The distance between
-    # two neighbouring bars is 4% of the smallest distance between two values of x, and less if there are more than four
-    # series.
+    # Error bars at the same x would cover each other. They are therefore drawn beside each other, 4% of the smallest
+    # distance between two values of x apart, and less if there are more than four series.
     beside = 0 if categories or not d["low"] else 0.04 * least_step(rows, d) / max(1, len(series) / 4)
     for i, values in enumerate(series):
         colour, marker = style.COLOURS[i % len(style.COLOURS)], style.MARKERS[i % len(style.MARKERS)]
@@ -177,10 +173,7 @@ def from_zero(axis, rows, d):
 
 
 def plain_ticks(axis):
-    """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades.
-
-    If an axis contains fewer than two of these numbers, matplotlib's LogLocator labels evenly spaced numbers instead.
-    """
+    """Labels logarithmic axes that span at most three decades with plain numbers such as 500."""
     for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
                                  (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
         if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:

@@ -13,12 +13,7 @@ FILLS = {"simulate": "#009E73", "transform": "#56B4E9", "shadow": "#CC79A7", "sk
 def main(rows, table, outputs):
     cases = list(dict.fromkeys(r["case"] for r in rows))
     figure, bars = plt.subplots(figsize=(5, 3.9), constrained_layout=True)
-    draw_bars(bars, rows, cases)
     figure.suptitle(rows[0]["device"], fontsize=9, color="0.35")
-    return figure
-
-
-def draw_bars(bars, rows, cases):
     for y, case in enumerate(cases):
         mine = [r for r in rows if r["case"] == case]
         whole, left = float(mine[0]["frame_ms"]), 0.0
@@ -42,8 +37,8 @@ def draw_bars(bars, rows, cases):
     bars.set_xlabel("share of the frame's time, %")
     bars.legend(loc="upper center", bbox_to_anchor=(0.42, 1.16), ncol=5, frameon=False, fontsize=8, handlelength=1.2,
                 columnspacing=0.9, handletextpad=0.4)
-
     style.open_axis(bars, grid=False)
+    return figure
 
 
 if __name__ == "__main__":

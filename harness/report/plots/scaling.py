@@ -32,11 +32,9 @@ def features(case):
 
 
 def fitted(cases):
-    """Returns the fitted coefficients.
+    """Returns the fitted coefficients. Terms are removed, the most negative first, until no coefficient is negative.
 
-    If a coefficient is negative, the function removes one term and fits again, until no coefficient is negative.
-    It removes the term whose coefficient is most negative. For this comparison, the function multiplies each
-    coefficient by a scale: the term divided by the frame time, in the case where this quotient is largest.
+    For this comparison, each coefficient is multiplied by the largest quotient of its term and the frame time.
     """
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))
@@ -100,11 +98,7 @@ def amount(key, value):
 
 
 def panel(axis, cases, fit, x, by, every):
-    """Draws a panel with the abscissa x.
-
-    Colours distinguish the cases by the quantity that `by` names ("pixels" or "layers"). Markers distinguish the
-    numbers of triangles.
-    """
+    """Draws a panel with the abscissa x: colours by the quantity `by`, markers by the number of triangles."""
     values = sorted({c[by] for c in every})
     triangles = sorted({c["triangles"] for c in cases}) if x != "triangles" else []
     for value in values:

@@ -143,8 +143,7 @@ DRAWN = {"time_s": draw_water, "w": draw_shape, "strand": draw_clump, "rho": dra
 
 def main(rows, table, outputs):
     rows = [{key: float(value) for key, value in row.items()} for row in rows]
-    figure = DRAWN[next(iter(rows[0]))](rows)
-    return figure
+    return DRAWN[next(iter(rows[0]))](rows)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "harness/measure/cpu_use.hpp"
-#include "harness/measure/program_hashes.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/study.hpp"

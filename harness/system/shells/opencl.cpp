@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "harness/cl/build_ahead.hpp"
+#include "harness/cl/builds.hpp"
 #include "harness/compare/checks.hpp"
 #include "harness/compare/shares.hpp"
 #include "harness/compare/windows.hpp"
