@@ -30,7 +30,7 @@ void add_render(CLI::App& app, Chosen& chosen);
 /// pelage animate: draws the frames of an animation, and joins them to a GIF or MP4 file if asked to.
 void add_animate(CLI::App& app, Chosen& chosen);
 
-/// pelage diagram: draws the insets, sections and overlays of the papers' figures (docs/figures.md).
+/// pelage diagram: draws the insets, sections and overlays of the papers' figures (docs/experiments.md).
 void add_diagram(CLI::App& app, Chosen& chosen);
 
 /// pelage mesh: prepares a mesh, and prints its numbers of vertices, edges and faces, its topology, the
