@@ -49,20 +49,20 @@ std::shared_ptr<const FrameInput> torus_wet_in_front(const char* faces, bool bot
   return std::make_shared<FrameInput>(std::move(input));
 }
 
-struct Change {
+struct FarSide {
   double rim = 0,
          inside = 0;  ///< mean change of a channel where the base does not cover the pixel, and where it does
 };
 
 /// Returns how the picture changes if the side that the eye does not see gets wet.
-Change change_by_the_far_side(const char* faces, const char* mapping) {
+FarSide change_by_the_far_side(const char* faces, const char* mapping) {
   const auto near = torus_wet_in_front(faces, false), both = torus_wet_in_front(faces, true);
   EXPECT_LT(near->droplets.size() + 20, both->droplets.size());
   const Picture first = drawn_by_device(near, mapping), second = drawn_by_device(both, mapping);
   FrameInput base = *near;
   base.scene.fur.length = 1e-3f;
   const Picture shape = drawn_by_device(std::make_shared<FrameInput>(base), mapping);
-  Change change;
+  FarSide change;
   std::size_t rim = 0, inside = 0;
   for (std::size_t i = 0; i < first.pixel.size(); ++i) {
     if (!(first.pixel[i].w > 0.1f)) continue;
@@ -80,9 +80,9 @@ Change change_by_the_far_side(const char* faces, const char* mapping) {
 struct FacesOf : testing::TestWithParam<const char*> {};
 
 TEST_P(FacesOf, TheFarSideDoesNotCoverTheNearSide) {
-  const Change all = change_by_the_far_side("all", GetParam());
-  const Change front = change_by_the_far_side("front", GetParam());
-  const Change both = change_by_the_far_side("back-then-front", GetParam());
+  const FarSide all = change_by_the_far_side("all", GetParam());
+  const FarSide front = change_by_the_far_side("front", GetParam());
+  const FarSide both = change_by_the_far_side("back-then-front", GetParam());
   RecordProperty("rim_all", std::to_string(all.rim));
   RecordProperty("rim_back_then_front", std::to_string(both.rim));
   EXPECT_EQ(front.rim, 0);
