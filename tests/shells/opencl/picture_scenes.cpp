@@ -6,7 +6,8 @@
 namespace pelage::pictures {
 
 cl::Device device() {
-  return cl::choose_device("");
+  static const cl::Device shared = cl::choose_device("");  // keeps the programs that the tests have built
+  return shared;
 }
 
 Picture drawn_with(const std::shared_ptr<const FrameInput>& input, const ShellOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "harness/compare/strands.hpp"
 #include "harness/strands/opencl/strands.hpp"
+#include "tests/strands/support/strands.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::strands {
@@ -30,7 +31,7 @@ Scene pressed() {
 TEST(StepCheck, HoldsForStrandsThatTouchTheBody) {
   const auto mesh = std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 48, 24));
   const auto input = prepare_strands(pressed(), mesh);
-  Strands strands(cl::choose_device(""), input);
+  Strands strands(test::queue().device(), input);
   strands.advance(20);
   ChainStep step{strands.states(), {}, 0};
   step.number = strands.substep();
@@ -56,7 +57,7 @@ TEST(ReferencePicture, HasTheOrderOfTheLayers) {
   const auto input = prepare_strands(scene, mesh);
   ASSERT_EQ(input->look.layers[0].rank, 1);
   ASSERT_EQ(input->look.layers[1].rank, 0);
-  Strands strands(cl::choose_device(""), input);
+  Strands strands(test::queue().device(), input);
   strands.frame();
   const Agreement found = compare(strands.read(), reference_strands(*input, 1).picture);
   EXPECT_TRUE(within(found)) << found.psnr << " dB, " << found.flips << " flips";

@@ -15,7 +15,7 @@ namespace pelage::strands {
 namespace {
 
 double coverage_of(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
-  Strands strands(cl::choose_device(""), prepare_strands(scene, mesh));
+  Strands strands(test::queue().device(), prepare_strands(scene, mesh));
   strands.still();
   return test::mean_coverage(strands.read());
 }
