@@ -51,9 +51,9 @@ FAMILIES = {
         "springs-shape": (r"make_solver_shape", ["harness/springs/studies/study", "harness/springs/studies/shape"]),
         "springs-turns": (r"make_solver_turns", ["harness/springs/studies/study", "harness/springs/studies/turns"]),
         "springs-jacobian": (r"make_solver_jacobian", ["harness/springs/studies/study"]),
-    # In lines that match this pattern, "springs" is not the pipeline but a metric or a file, and "strands" is a stage, a
-    # metric or a list. The lines are not counted.
-    }, r'stages|IsMember|"strands"\);|"strands", check|"strands", "strands"|metrics\["strands"\]|metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
+    # In lines that match this pattern, "springs" is not the pipeline but a metric or a file, "strands" is a stage, a metric
+    # or a list, and "opengl" is a phase or a key. The lines are not counted.
+    }, r'phase_ms.find\("opengl"\)|others.push_back\(\{"opengl"|opengl_key|stages|IsMember|"strands"\);|"strands", check|"strands", "strands"|metrics\["strands"\]|metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
     "solver": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {
         "explicit-euler": (r"Solver::explicit_euler", []),
         "backward-euler": (r"Solver::backward_euler", []),

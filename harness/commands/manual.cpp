@@ -30,9 +30,8 @@ std::string section_of(const CLI::App& command) {
       names = fmt::format(", \\fI{}\\fR", option->get_name());
       title += option->get_required() ? fmt::format(" \\fI{}\\fR", option->get_name())
                                       : fmt::format(" \\fR[\\fI{}\\fR]", option->get_name());
-    } else if (option->get_type_size() != 0) {
-      names += fmt::format(" \\fI{}\\fR", troff(option->get_type_name()));
     }
+    if (option->get_type_size() != 0) names += fmt::format(" \\fI{}\\fR", troff(option->get_type_name()));
     options += fmt::format(".TP\n{}\n{}", names.substr(2), troff(option->get_description()));
     if (!option->get_default_str().empty())
       options += fmt::format(" (default: {})", troff(option->get_default_str()));

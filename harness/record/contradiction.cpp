@@ -37,6 +37,8 @@ bool equal(double a, double b) {
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
 }
 
+/// The weakest limits of a picture's checks that any version of pelage has recorded. A row with weaker limits
+/// is edited. The limits that are used today stand in harness/compare/tolerances.hpp.
 constexpr std::array<WeakestLimit, 3> kWeakest{
     {{"psnr", 55, true}, {"p99.9", 2.0 / 255, false}, {"flips", 1e-3, false}}};
 

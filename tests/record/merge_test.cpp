@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <sstream>
 
 #include "harness/error.hpp"
 #include "harness/record/journal.hpp"
@@ -274,7 +275,8 @@ TEST(Merge, ARowCannotLeaveTheFolder) {
   EXPECT_NE(inputs.refusal({"a"}).find("cannot be the name of a file"), std::string::npos);
 }
 
-// A merge must copy the recorded rows of the repository without changing a byte.
+// A merge must copy the recorded rows of the repository. Rows of older schemas become rows of the present
+// one.
 TEST(Merge, TheRecordedRowsComeThroughUnchanged) {
   const Inputs inputs;
   std::size_t journals = 0;
@@ -282,7 +284,10 @@ TEST(Merge, TheRecordedRowsComeThroughUnchanged) {
     const fs::path out = inputs.folder.path / std::to_string(journals++);
     const std::vector<FoundRow> rows = read_results({journal.string()});
     write_merge(plan_merge(rows, false), out);
-    EXPECT_EQ(text_of(out / rows.front().row.experiment / journal.filename()), text_of(journal)) << journal;
+    std::istringstream recorded(text_of(journal));
+    std::string expected;
+    for (std::string line; std::getline(recorded, line);) expected += to_line(row_from_line(line)) + "\n";
+    EXPECT_EQ(text_of(out / rows.front().row.experiment / journal.filename()), expected) << journal;
   }
   EXPECT_GE(journals, 5u);
 }

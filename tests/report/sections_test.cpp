@@ -376,7 +376,7 @@ TEST(VariantSection, HasTheFastestFirstAndNoTimeForAnotherPicture) {
   ASSERT_EQ(all.size(), 1u);
   const Table& table = all[0].table;
   const Pivot pivot = pivot_of(table);
-  ASSERT_EQ(pivot.blocks[0].rows.size(), 16u);
+  ASSERT_EQ(pivot.blocks[0].rows.size(), 9u);
   EXPECT_EQ(pivot.groups.size(), 2u);
   EXPECT_EQ(pivot.blocks[0].rows.front().keys[0].data, "byte");
   EXPECT_EQ(pivot.blocks[0].rows.front().keys[1].shown, "1.00");

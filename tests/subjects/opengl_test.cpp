@@ -131,7 +131,7 @@ TEST(Rivals, MeetOnTheSceneOfTable1) {
   compare_with("rivals.toml", "paper", 32);
   compare_with("rivals.toml", "quick", 32);
   compare_with("rivals-strongest.toml", "quick", 32);
-  compare_with("rival-options.toml", "quick", 32);
+  compare_with("rival-options.toml", "quick", 18);
 }
 
 TEST(Rivals, EveryWritingOfTheExperimentIsOne) {
@@ -140,7 +140,7 @@ TEST(Rivals, EveryWritingOfTheExperimentIsOne) {
   std::set<std::string> written;
   for (const Case& which : cases_of(options, preset_of(options, "paper")))
     written.insert(to_text(opengl_options(which.opengl)));
-  EXPECT_EQ(written.size(), 16u);
+  EXPECT_EQ(written.size(), 9u);
 }
 
 }  // namespace

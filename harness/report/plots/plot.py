@@ -89,8 +89,10 @@ def draw_published(axis, rows, x_of, d, look):
             x, y = x_of(r), number(r[column])
             axis.annotate("", (x, y * 2), (x, y),
                           arrowprops={"arrowstyle": "->", "color": look["color"], "linestyle": "--"})
-            axis.plot(x, y, linestyle="none", markerfacecolor="white",
-                      **{k: v for k, v in look.items() if k != "capsize"})
+            [mark] = axis.plot(x, y, linestyle="none", markerfacecolor="white",
+                               **{k: v for k, v in look.items() if k != "capsize"})
+            label = f"{d['published']['label']}, at least"
+            style.tell(mark, [point_text(r, label, d["x"], column, column + "_low", column + "_high", d)])
             axis.plot(x, y * 2.2, alpha=0)  # invisible; extends the axis, so that the arrow fits
     return handle
 

@@ -150,8 +150,8 @@ class BaselineFrames : public Subject {
     baseline_.rival->set(start_);
     const Cost cost = cost_of([&] { baseline_.rival->advance(moments_, substeps_); });
     ++frames_;
-    // After their work, OpenMP threads wait in a loop for a short time, which uses CPU time. The pause of 10 ms
-    // keeps this CPU time out of the next measurement.
+    // After their work, OpenMP threads wait in a loop for a short time, which uses CPU time. The pause of 10
+    // ms keeps this CPU time out of the next measurement.
     if (baseline_.threads > 1) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     FrameSample sample;
     sample.wall_ms = cost.wall_ms;

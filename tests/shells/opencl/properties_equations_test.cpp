@@ -33,10 +33,10 @@ using synthetic::noise;
 
 constexpr double tight = 1e-12;
 
-glm::dvec3 glm_vector(const real3& v) {
+glm::dvec3 to_glm(const real3& v) {
   return {v.x, v.y, v.z};
 }
-real3 shim_vector(const glm::dvec3& v) {
+real3 in_shim(const glm::dvec3& v) {
   return shim::vec3(v.x, v.y, v.z);
 }
 
@@ -73,9 +73,9 @@ shim::Strand stepped(const FrameInput& input, const shim::Strand& strand, double
   const shim::SimulateParams p = simulate_params(input);
   const double turn = 2 * std::numbers::pi * double(input.scene.dynamics.wind.frequency) * time;
   const glm::dvec2 phase(input.strands.phase[0]);
-  const real3 force = shim::forces(p, strand, shim_vector(input.strands.anchor[0]), phase.x, phase.y,
+  const real3 force = shim::forces(p, strand, in_shim(input.strands.anchor[0]), phase.x, phase.y,
                                    std::sin(turn), std::cos(turn));
-  return shim::constrained(p, shim::accelerated(p, strand, force), shim_vector(input.strands.normal[0]));
+  return shim::constrained(p, shim::accelerated(p, strand, force), in_shim(input.strands.normal[0]));
 }
 
 FrameInput one_strand() {
@@ -94,15 +94,15 @@ TEST(Equations, StrandsStepLikeTheReference) {
     input.strands.phase[0] = {float(std::cos(trial)), float(std::sin(trial))};
     input.scene.dynamics.gravity = 50.0 * any.vector();
     input.scene.dynamics.wind = {any.vector(), float(.05 * any()), float(any()), 3, 1};
-    shim::Strand strand{shim_vector(input.strands.anchor[0]), shim_vector(glm::dvec3(0))};
+    shim::Strand strand{in_shim(input.strands.anchor[0]), in_shim(glm::dvec3(0))};
     reference::Strand expected = reference::rest(input, 0);
     for (std::size_t i = 0; i < 40; ++i) {
       strand = stepped(input, strand, double(i) * double(input.scene.dynamics.step));
       expected = reference::substep(input, 0, expected, i);
       // The parameters are floats, so wind, weight and 1/m (m is the mass) are rounded before they are used.
       // The motion amplifies this rounding error.
-      ASSERT_LT(glm::length(glm_vector(strand.tip) - expected.tip), 1e-6) << trial << ' ' << i;
-      ASSERT_LT(glm::length(glm_vector(strand.speed) - expected.velocity), 1e-4) << trial << ' ' << i;
+      ASSERT_LT(glm::length(to_glm(strand.tip) - expected.tip), 1e-6) << trial << ' ' << i;
+      ASSERT_LT(glm::length(to_glm(strand.speed) - expected.velocity), 1e-4) << trial << ' ' << i;
     }
   }
 }
@@ -115,13 +115,13 @@ TEST(Equations, Equation3HoldsUnderRandomForces) {
     const glm::dvec3 n = glm::dvec3(glm::vec3(any.direction()));
     input.strands.normal[0] = n;
     input.strands.anchor[0] = .1 * n;
-    shim::Strand strand{shim_vector(input.strands.anchor[0]), shim_vector(glm::dvec3(0))};
+    shim::Strand strand{in_shim(input.strands.anchor[0]), in_shim(glm::dvec3(0))};
     for (int i = 0; i < 100; ++i) {
       input.scene.dynamics.gravity = 300.0 * any.vector();
       strand = stepped(input, strand, i);
-      ASSERT_LE(glm::length(glm_vector(strand.tip)),
+      ASSERT_LE(glm::length(to_glm(strand.tip)),
                 length * (1 + 1e-7));  // the kernel rounds the squared strand length to a float
-      ASSERT_GE(glm::dot(glm_vector(strand.tip), n),
+      ASSERT_GE(glm::dot(to_glm(strand.tip), n),
                 -1e-7 * length);  // the length of n is 1 up to float rounding
     }
   }
@@ -137,13 +137,13 @@ TEST(Equations, RestPositionsAreTheClosedForms) {
   for (const glm::vec3 gravity :
        {glm::vec3(0), glm::vec3(4, 2, -12), glm::vec3(30, -10, 5), glm::vec3(9, 0, -60)}) {
     input.scene.dynamics.gravity = gravity;
-    shim::Strand strand{shim_vector(input.strands.anchor[0]), shim_vector(glm::dvec3(0))};
+    shim::Strand strand{in_shim(input.strands.anchor[0]), in_shim(glm::dvec3(0))};
     for (int i = 0; i < 4000; ++i) strand = stepped(input, strand, 0);
     const glm::dvec3 force = double(input.scene.dynamics.mass) * glm::dvec3(gravity), n(0, 0, 1);
     glm::dvec3 expected = length * n + force / k;
     if (expected.z < 0) expected.z = 0;
     if (glm::length(expected) > length) expected = length * glm::normalize(k * length * n + force);
-    expect_within(glm_vector(strand.tip), expected, 1e-7);
+    expect_within(to_glm(strand.tip), expected, 1e-7);
   }
 }
 
@@ -186,9 +186,8 @@ TEST(Equations, TheCurveStartsAtTheRootEndsAtTheTipAndLooksLikeTheReference) {
     EXPECT_NEAR(shim::layer_parameter(h, 0), reference::bezier_parameter(h, "paper"), tight);
     EXPECT_NEAR(shim::layer_parameter(h, 1), reference::bezier_parameter(h, "uniform"), tight);
     const glm::dvec3 phi = any.vector();
-    expect_within(
-        glm_vector(shim::layer_offset(shim::bezier(h), shim_vector(a), shim_vector(b), shim_vector(phi))),
-        reference::bezier(a, b, h) + phi);
+    expect_within(to_glm(shim::layer_offset(shim::bezier(h), in_shim(a), in_shim(b), in_shim(phi))),
+                  reference::bezier(a, b, h) + phi);
   }
 }
 
@@ -199,8 +198,8 @@ TEST(Equations, CurlVanishesAtTheRootAndWhereSoakedAndLooksLikeTheReference) {
     const double h = std::abs(any()), rho = std::abs(any()), radius = .1 * std::abs(any()), turns = 4 * any();
     const double wh = 2 * std::numbers::pi * turns * h;
     const auto curl = [&](double height, double wetness) {
-      return glm_vector(shim::curl(height, std::cos(wh), std::sin(wh), radius, 1 - wetness, shim_vector(u),
-                                   shim_vector(v)));
+      return to_glm(
+          shim::curl(height, std::cos(wh), std::sin(wh), radius, 1 - wetness, in_shim(u), in_shim(v)));
     };
     expect_within(curl(h, rho), reference::curl(h, rho, radius, turns, u, v));
     expect_within(curl(0, rho), glm::dvec3(0));
@@ -279,9 +278,9 @@ glm::dvec3 curling(const ShadingScene& shading, const reference::Fragment& f) {
     const glm::dvec3 l = glm::normalize(glm::dvec3(light.direction));
     const double g =
         double(light.intensity) * shim::wrapped_light(glm::dot(f.normal, l), double(shading.wrap));
-    diffuse += g * shim::strand_diffuse(shim::angle_with(shim_vector(f.tangent), shim_vector(l)));
-    specular += g * strand_specular(shim_vector(f.tangent), shim_vector(l), shim_vector(f.view),
-                                    double(shading.exponent));
+    diffuse += g * shim::strand_diffuse(shim::angle_with(in_shim(f.tangent), in_shim(l)));
+    specular +=
+        g * strand_specular(in_shim(f.tangent), in_shim(l), in_shim(f.view), double(shading.exponent));
   }
   return shim::shadow_factor(f.height, double(shading.shadow)) *
          (diffuse * f.colour + specular * glm::dvec3(shading.specular));
@@ -296,7 +295,7 @@ glm::dvec3 wet(const ShadingScene& shading, const reference::Fragment& f) {
     const double n_dot_l = glm::dot(f.normal, l), wrap = double(shading.wrap);
     diffuse += double(light.intensity) * shim::surface_diffuse(n_dot_l, wrap);
     specular += double(light.intensity) * shim::wrapped_light(n_dot_l, wrap) *
-                strand_specular(shim_vector(f.tangent), shim_vector(l), shim_vector(f.view), exponent);
+                strand_specular(in_shim(f.tangent), in_shim(l), in_shim(f.view), exponent);
   }
   return shim::occlusion_factor(f.height, double(shading.occlusion)) *
          shim::wet_factor(f.wetness, double(shading.darkening)) *
@@ -369,10 +368,9 @@ TEST(Equations, SubStepsShiftLikeTheReferences) {
     Any any{trial};
     const glm::dvec3 step = 0.1 * any.direction(), normal = any.direction(), eye = any.direction();
     const glm::dvec3 t = any.direction(), b = trial % 7 ? any.direction() : 2.0 * t;
-    const glm::dvec3 shift =
-        glm_vector(shim::root_shift(shim_vector(step), shim_vector(normal), shim_vector(eye)));
+    const glm::dvec3 shift = to_glm(shim::root_shift(in_shim(step), in_shim(normal), in_shim(eye)));
     expect_within(shift, reference::root_shift(step, normal, eye));
-    const shim::real2 uv = shim::shift_in_uv(shim_vector(shift), shim_vector(t), shim_vector(b));
+    const shim::real2 uv = shim::shift_in_uv(in_shim(shift), in_shim(t), in_shim(b));
     const glm::dvec2 expected = reference::uv_shares(shift, t, b);
     EXPECT_NEAR(uv.x, expected.x, 1e-9 * (1 + std::abs(expected.x)));
     EXPECT_NEAR(uv.y, expected.y, 1e-9 * (1 + std::abs(expected.y)));
@@ -389,12 +387,12 @@ TEST(Equations, TheWetTangentIsTheReferences) {
     const double sign = trial % 2 ? 1 : -1;
     reference::Displacement clump;
     clump.delta_d = drift;
-    expect_within(glm_vector(shim::wet_tangent(shim::vec2(sign * drift.x, sign * drift.y), shim_vector(t),
-                                               shim_vector(b), shim_vector(rise))),
+    expect_within(to_glm(shim::wet_tangent(shim::vec2(sign * drift.x, sign * drift.y), in_shim(t),
+                                            in_shim(b), in_shim(rise))),
                   reference::wet_tangent(scene, rise, t, b, any.direction(), clump));
   }
-  expect_within(glm_vector(shim::wet_tangent(shim::vec2(0, 0), shim::vec3(4, 0, 0), shim::vec3(0, 2, 0),
-                                             shim::vec3(0, 0, .3))),
+  expect_within(to_glm(shim::wet_tangent(shim::vec2(0, 0), shim::vec3(4, 0, 0), shim::vec3(0, 2, 0),
+                                          shim::vec3(0, 0, .3))),
                 {0, 0, 1});
 }
 
