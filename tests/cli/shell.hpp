@@ -63,8 +63,8 @@ inline Outcome done(const Folder& folder, const std::string& arguments, const st
 }
 
 /// Expects that pelage refused its input: it ended with `code`, and its only message, the last line on
-/// stderr, contains `text`. If `steps` is true, lines about the preparation of a mesh may precede the
-/// message.
+/// stderr, contains `text`. If `steps` is true, warnings and lines about the preparation of a mesh may
+/// precede the message.
 inline void expect_refused(const Outcome& outcome, const std::string& text, bool steps = false,
                            int code = 2) {
   SCOPED_TRACE(outcome.arguments + "\n" + outcome.err);
@@ -73,7 +73,7 @@ inline void expect_refused(const Outcome& outcome, const std::string& text, bool
   int lines = 0, messages = 0;
   std::istringstream stream(outcome.err);
   for (std::string line; std::getline(stream, line); ++lines) {
-    messages += line.starts_with("pelage: ");
+    messages += line.starts_with("pelage: ") && !line.starts_with("pelage: warning: ");
     last = line;
   }
   EXPECT_EQ(steps ? messages : lines, 1);
