@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "harness/compare/metrics.hpp"
 #include "harness/compare/checks.hpp"
+#include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
 #include "harness/measure/turns.hpp"
 

@@ -1,4 +1,6 @@
 // Tests the table of pipelines, and the experiments with the OpenGL baseline.
+#include "harness/subjects/pipelines.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
-#include "harness/subjects/pipelines.hpp"
 
 namespace pelage {
 namespace {

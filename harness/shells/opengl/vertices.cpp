@@ -153,8 +153,8 @@ void SeenTriangles::find(const std::vector<std::uint32_t>& index, const std::vec
       SeenPart part{int(n), 0, elements.size()};
       for (const std::uint32_t t : sweep)
         if (seen[n * triangles + t])
-          elements.insert(elements.end(), index.begin() + std::ptrdiff_t(3 * t),
-                          index.begin() + std::ptrdiff_t(3 * t + 3));
+          elements.insert(elements.end(), index.begin() + 3 * std::ptrdiff_t(t),
+                          index.begin() + 3 * std::ptrdiff_t(t) + 3);
       part.corners = GLsizei(elements.size() - part.first);
       parts_.push_back(part);
     }

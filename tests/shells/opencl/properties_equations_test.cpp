@@ -385,12 +385,12 @@ TEST(Equations, TheWetTangentIsTheReferences) {
     const double sign = trial % 2 ? 1 : -1;
     reference::Displacement clump;
     clump.delta_d = drift;
-    expect_within(to_glm(shim::wet_tangent(shim::vec2(sign * drift.x, sign * drift.y), in_shim(t),
-                                            in_shim(b), in_shim(rise))),
+    expect_within(to_glm(shim::wet_tangent(shim::vec2(sign * drift.x, sign * drift.y), in_shim(t), in_shim(b),
+                                           in_shim(rise))),
                   reference::wet_tangent(scene, rise, t, b, any.direction(), clump));
   }
   expect_within(to_glm(shim::wet_tangent(shim::vec2(0, 0), shim::vec3(4, 0, 0), shim::vec3(0, 2, 0),
-                                          shim::vec3(0, 0, .3))),
+                                         shim::vec3(0, 0, .3))),
                 {0, 0, 1});
 }
 
