@@ -14,6 +14,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/experiment.hpp"
+#include "harness/experiment/toml_values.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -38,40 +39,6 @@ const std::set<std::string, std::less<>> columns{"case",       "clock",   "conte
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
                                                  "repeat",     "run_id",  "sample",    "samples",   "status"};
-
-/// Returns the value as TOML text. Decimal numbers have as few digits as possible: 0.05, not
-/// 0.050000000000000003.
-std::string literal(const toml::node& node) {
-  if (const auto number = node.value_exact<double>()) {
-    const std::string digits = fmt::format("{}", *number);
-    return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
-  }
-  // toml++'s formatter of arrays is not used. For numbers below 0.1, it converts a negative logarithm to an
-  // unsigned integer, which is undefined behaviour.
-  if (const auto* array = node.as_array()) {
-    std::string text;
-    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + literal(entry);
-    return "[" + text + "]";
-  }
-  if (const auto* table = node.as_table()) {
-    std::string text;
-    for (const auto& [key, entry] : *table)
-      text +=
-          (text.empty() ? "" : ", ") + literal(toml::value(std::string(key.str()))) + " = " + literal(entry);
-    return "{" + text + "}";
-  }
-  std::ostringstream text;
-  node.visit([&text](const auto& value) {
-    if constexpr (toml::is_value<decltype(value)>) text << value;
-  });
-  return text.str();
-}
-
-/// Returns the text of a TOML value, without quotes if it is a string.
-std::string plain(const toml::node& node) {
-  if (const auto text = node.value_exact<std::string>()) return *text;
-  return literal(node);
-}
 
 /// Returns a number as it is written in the file (0.10 stays 0.10), and plain() of other values.
 std::string as_written(const toml::node& node, const Source& source) {
@@ -104,47 +71,6 @@ void flatten(const fs::path& file, const toml::table& table, const std::string& 
     apply_set(scratch, fmt::format("{}={}", name, into.back().second),
               fmt::format("{}:{}", file.string(), node.source().begin.line));
   }
-}
-
-/// Returns the string at the key, or "" if the key is missing. The error message has `table_name` before the
-/// key.
-std::string text_at(const fs::path& file, const toml::table& table, std::string_view key,
-                    std::string_view table_name = "") {
-  const toml::node* node = table.get(key);
-  if (!node) return {};
-  const auto text = node->value_exact<std::string>();
-  if (!text) refuse(file, node, fmt::format("{}{} must be a string", table_name, key));
-  return *text;
-}
-
-/// Returns the strings at the key of the table [report], which must be a list of strings or a single string.
-/// Returns an empty list if the key is missing.
-std::vector<std::string> texts_at(const fs::path& file, const toml::table& table, std::string_view key) {
-  const toml::node* node = table.get(key);
-  if (!node) return {};
-  if (const auto text = node->value_exact<std::string>()) return {*text};
-  const auto* list = node->as_array();
-  if (!list || list->empty())
-    refuse(file, node, fmt::format("report.{} must be a string or a list of strings", key));
-  std::vector<std::string> texts;
-  for (const toml::node& item : *list) {
-    const auto text = item.value_exact<std::string>();
-    if (!text) refuse(file, &item, fmt::format("report.{} must be a string or a list of strings", key));
-    texts.push_back(*text);
-  }
-  return texts;
-}
-
-/// Returns the number `key` of a table, or `otherwise` if the table has no such key. Throws InputError if the
-/// value is not a number in [least, most].
-double number_at(const fs::path& file, const toml::table& table, std::string_view key, double otherwise,
-                 double least, double most) {
-  const toml::node* node = table.get(key);
-  if (!node) return otherwise;
-  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !(*value >= least && *value <= most))
-    refuse(file, node, fmt::format("{} must be a number in [{}, {}]", key, least, most));
-  return *value;
 }
 
 /// Adds the axes of `table` and of the tables in it, which come from dotted keys: TOML reads `curl.radius =
@@ -190,15 +116,6 @@ std::vector<Axis> read_axes(const Source& source, const toml::table& table) {
   axes.reserve(found.size());
   for (auto& [position, axis] : found) axes.push_back(std::move(axis));
   return axes;
-}
-
-/// Throws InputError if the table has a key that is not in `known`.
-void check_keys(const fs::path& file, const toml::table& table, std::string_view table_name,
-                const std::set<std::string_view>& known) {
-  for (const auto& [key, node] : table)
-    if (!known.contains(key.str()))
-      refuse(file, &node,
-             fmt::format("unknown key {}{} (known: {})", table_name, key.str(), fmt::join(known, ", ")));
 }
 
 Preset read_preset(const Source& source, const toml::table& table) {

@@ -390,9 +390,8 @@ std::string equal_pictures(const std::vector<CasePicture>& pictures) {
   for (auto& [first, names] : sets) std::sort(names.begin(), names.end());
   std::sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   std::vector<std::string> texts;
-  for (const auto& [first, names] : sets) {
+  for (const auto& [first, names] : sets)
     if (texts.size() < most_sets) texts.push_back(list_text(names));
-  }
   const std::size_t others = sets.size() - texts.size();
   return fmt::format("Equal pictures: {}{}. The settings in which these cases differ change no pixel.",
                      fmt::join(texts, "; "), others > 0 ? fmt::format("; {} other sets", others) : "");

@@ -73,7 +73,7 @@ FrameInput with_maps(FrameInput input) {
   input.style.comb.assign(points, 1.0f);
   input.style.curl_radius.assign(points, 0.25f);
   input.style.curl_turns.assign(points, 0.75f);
-  input.style.density = {22, 21, std::vector<float>(21 * 22, 0.5f)};
+  input.style.density = {22, 21, std::vector<float>(std::size_t(21) * 22, 0.5f)};
   return input;
 }
 
@@ -81,7 +81,7 @@ FrameInput with_field(FrameInput input) {
   auto field = std::make_shared<DistanceField>();
   field->nodes = {22, 21, 23};
   field->cell = 1;
-  field->distance.assign(21 * 22 * 23, 1.0f);
+  field->distance.assign(std::size_t(21) * 22 * 23, 1.0f);
   input.contact_field = field;
   return input;
 }

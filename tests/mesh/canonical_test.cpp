@@ -43,7 +43,8 @@ Soup shape() {
     face({last, at(rows - 1, c), at(rows - 1, c + 1)},
          {uv(rows, c + 0.5), uv(rows - 1, c), uv(rows - 1, c + 1)});
   }
-  for (std::uint32_t i = 0; i < 16; ++i) soup.point.emplace_back(3 + i % 4, 0, 0.5 * (i / 4));
+  for (std::uint32_t row = 0; row < 4; ++row)
+    for (std::uint32_t column = 0; column < 4; ++column) soup.point.emplace_back(3 + column, 0, 0.5 * row);
   for (std::uint32_t i = 0; i < 3; ++i)
     for (std::uint32_t j = 0; j < 3; ++j) {
       const std::uint32_t a = last + 1 + 4 * i + j;

@@ -43,7 +43,8 @@ TEST(Ratios, OfEarlierSchemasAreReadUnderTheirPresentNames) {
       ASSERT_EQ(row.metrics.size(), 1u);
       EXPECT_EQ(row.metrics.at(frame_over_metric(phase)).value, 2);
       EXPECT_EQ(row.provenance["view"]["x"], "triangles");
-      EXPECT_EQ(row.provenance["view"]["y"], nlohmann::json({frame_over_metric(phase), "nest_ratio"}));
+      EXPECT_EQ(row.provenance["view"]["y"],
+                nlohmann::ordered_json({frame_over_metric(phase), "nest_ratio"}));
       EXPECT_EQ(row.schema, schema == 1 ? 1 : 3);
       EXPECT_EQ(to_line(row_from_line(to_line(row))), to_line(row)) << "a merged row stays the same row";
       EXPECT_NE(row_refusal(row_with(schema, phase, ratio_metric(phase), 0.5)), "") << "the other direction";

@@ -82,7 +82,7 @@ class SecondOfSolver : public ErrorStudy {
     return checks;
   }
   void describe(Row& row) override {
-    Study::describe(row);
+    Study::describe(row);  // NOLINT(bugprone-parent-virtual-call): without the error of ErrorStudy
     // The metric of the base class is removed, because each solver has its own time step.
     row.metrics.erase("step_ms");
     const Spread found = error();
@@ -181,7 +181,7 @@ std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting,
   return std::make_unique<ErrorStudy>(device, std::move(setting), limit);
 }
 
-std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting, const Motions& exact,
+std::unique_ptr<Subject> solver_turns(const cl::Device& device, const Setting& setting, const Motions& exact,
                                       double most_error) {
   if (!(most_error > 0))
     throw InputError(

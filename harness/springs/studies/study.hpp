@@ -42,7 +42,7 @@ Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, fl
 /// unless it is above 0. solver_energy() throws InputError if `conservative` is true and the dynamics have
 /// drag, damping, a return force, or an object that rotates or shakes.
 std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting, const Motions& exact);
-std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting, const Motions& exact,
+std::unique_ptr<Subject> solver_turns(const cl::Device& device, const Setting& setting, const Motions& exact,
                                       double most_error);
 std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact);
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative);

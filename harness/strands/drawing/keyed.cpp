@@ -68,7 +68,7 @@ std::vector<float> key_records(const std::vector<KeyStrand>& keys) {
 std::vector<KeyStrand> keys_of(const std::vector<float>& records, std::size_t count) {
   std::vector<KeyStrand> keys(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto vector = [first = &records[i * KEY_RECORD]](int k) {
+    const auto vector = [first = &records[i * KEY_RECORD]](std::size_t k) {
       return glm::vec3(first[3 * k], first[3 * k + 1], first[3 * k + 2]);
     };
     keys[i] = {vector(0), vector(1), vector(2), vector(3), vector(4)};

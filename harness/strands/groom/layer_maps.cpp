@@ -66,7 +66,7 @@ std::vector<LayerMaps::Condition> LayerMaps::conditions() const {
          },
          [this](const Mesh& mesh, std::uint32_t face) { return region_reaches(layer, mesh, face); }});
   const auto add = [&](const char* key, const std::filesystem::path& file, const LumaMap& map, float least,
-                       std::function<double(double)> density) {
+                       const std::function<double(double)>& density) {
     if (map.constant()) return;
     list.push_back(
         {key, file,

@@ -170,8 +170,9 @@ RaycastResult raycast(const RaycastScene& scene, const std::vector<DrawnStrand>&
       glm::dvec3 sum(0);
       double through_sum = 0;
       for (int sample = 0; sample < side * side; ++sample) {
-        const float px = float(x) + (float(sample % side) + 0.5f) / float(side) - 0.5f * float(camera.width);
-        const float py = float(y) + (float(sample / side) + 0.5f) / float(side) - 0.5f * float(camera.height);
+        const int column = sample % side, row = sample / side;
+        const float px = float(x) + (float(column) + 0.5f) / float(side) - 0.5f * float(camera.width);
+        const float py = float(y) + (float(row) + 0.5f) / float(side) - 0.5f * float(camera.height);
         const glm::vec3 ray = camera.ray + px * camera.ray_dx + py * camera.ray_dy;
         const float length = glm::length(ray);
         const float depth = glm::dot(glm::vec3(camera.row_w), ray) / length;  // view depth per distance
