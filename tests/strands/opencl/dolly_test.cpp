@@ -25,10 +25,12 @@ constexpr double least = 0.125;  // pixels
 Picture averaged(const Picture& fine) {
   Picture picture{fine.width / finer, fine.height / finer, {}};
   picture.pixel.resize(std::size_t(picture.width) * std::size_t(picture.height));
+  const auto at = [](const Picture& p, int x, int y) {
+    return std::size_t(y) * std::size_t(p.width) + std::size_t(x);
+  };
   for (int y = 0; y < fine.height; ++y)
     for (int x = 0; x < fine.width; ++x)
-      picture.pixel[std::size_t(y / finer * picture.width + x / finer)] +=
-          fine.pixel[std::size_t(y * fine.width + x)] / float(finer * finer);
+      picture.pixel[at(picture, x / finer, y / finer)] += fine.pixel[at(fine, x, y)] / float(finer * finer);
   return picture;
 }
 
