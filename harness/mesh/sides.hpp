@@ -23,11 +23,13 @@ template <class Triangle>
 std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
   std::vector<Side> sides;
   sides.reserve(triangles.size() * 3);
-  for (std::uint32_t f = 0; f < triangles.size(); ++f)
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    const std::uint32_t corner[] = {triangles[f][0], triangles[f][1], triangles[f][2]};
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles[f][k], b = triangles[f][(k + 1) % 3];
+      const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
       sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
     }
+  }
   std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
     return std::tie(x.low, x.high, x.face, x.corner) < std::tie(y.low, y.high, y.face, y.corner);
   });
@@ -39,8 +41,11 @@ template <class Triangle>
 std::vector<std::pair<std::uint32_t, std::uint32_t>> directed_sides(const std::vector<Triangle>& triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   sides.reserve(triangles.size() * 3);
-  for (const Triangle& t : triangles)
-    for (std::uint32_t k = 0; k < 3; ++k) sides.emplace_back(t[k], t[(k + 1) % 3]);
+  for (const Triangle& t : triangles) {
+    sides.emplace_back(t[0], t[1]);
+    sides.emplace_back(t[1], t[2]);
+    sides.emplace_back(t[2], t[0]);
+  }
   std::sort(sides.begin(), sides.end());
   return sides;
 }
