@@ -116,7 +116,7 @@ class Event {
 using PhaseEvents = std::vector<std::pair<std::string, Event>>;
 
 /// Appends a launch of the phase to `events`, unless `events` is null.
-inline void keep(PhaseEvents* events, const char* phase, Event event) {
+inline void keep(PhaseEvents* events, const char* phase, Event&& event) {
   if (events) events->emplace_back(phase, std::move(event));
 }
 

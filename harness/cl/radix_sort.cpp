@@ -21,7 +21,7 @@ std::size_t ceil_div(std::size_t a, std::size_t b) {
   return (a + b - 1) / b;
 }
 
-void keep(std::vector<Event>* events, Event event) {
+void keep(std::vector<Event>* events, Event&& event) {
   if (events) events->push_back(std::move(event));
 }
 
