@@ -1,5 +1,6 @@
 // Tests .ci/lint in a temporary checkout, with a stub in place of clang-tidy. The tests check the order of
-// the files, the time limit, and the effect of a finding.
+// the units, the time limit, and the effect of a finding. A file of build/release names the units: most are
+// one file here, and one unit has two files.
 #include <set>
 #include <sstream>
 #include <vector>
@@ -14,16 +15,22 @@ class Lint : public Checkout {
   void SetUp() override {
     if (std::system("git --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no git";
     copy_of_repository(".ci/lint");
-    for (const char* folder : {"bench", "tests"})
-      std::filesystem::create_directories(path(std::string("checkout/") + folder));
-    for (char c = 'a'; c <= 'j'; ++c) write(fmt::format("checkout/harness/{}.cpp", c), "");
+    std::filesystem::create_directories(path("checkout/build/release"));
+    write("checkout/.gitignore", "build\n");
+    for (char c = 'a'; c <= 'k'; ++c) write(fmt::format("checkout/harness/{}.cpp", c), "");
+    for (char c = 'a'; c <= 'i'; ++c) units_.push_back(path(fmt::format("checkout/harness/{}.cpp", c)));
+    units_.push_back(path("checkout/build/release/unity_0_cxx.cxx"));
+    write(
+        "checkout/build/release/unity_0_cxx.cxx",
+        fmt::format("#include \"{0}/j.cpp\"\n\n#include \"{0}/k.cpp\"\n", path("checkout/harness").string()));
+    write_units();
     clang_tidy("exit 0");
     ASSERT_EQ(shell("git init -q -b main && git add . && git commit -q -m first"), 0);
     for (int i = 0; i < 10; ++i) ASSERT_EQ(shell("git commit -q --allow-empty -m next"), 0);
   }
-  // Installs a stub of clang-tidy. The stub records the name of the source file that it should check, and
+  // Installs a stub of clang-tidy. The stub records the name of the unit that it should check, and
   // then runs the shell code `body`. Also installs a stub of nproc that reports one processor, so .ci/lint
-  // checks the files one after another. The names are therefore recorded in the order of the checks. A stub
+  // checks the units one after another. The names are therefore recorded in the order of the checks. A stub
   // of cmake configures nothing.
   void clang_tidy(const std::string& body) const {
     stub("clang-tidy",
@@ -31,42 +38,51 @@ class Lint : public Checkout {
     stub("nproc", "echo 1");
     stub("cmake", "");
   }
+  void write_units() const {
+    std::string text = "[\n";
+    for (const std::string& unit : units_) text += fmt::format("{{\n  \"file\": \"{}\"\n}},\n", unit);
+    write("checkout/build/release/compile_commands.json", text + "]\n");
+  }
   std::string output() const { return read("output"); }
-  // Returns the files that the stub of clang-tidy received, in order.
+  // Returns the names of the units that the stub of clang-tidy received, in order.
   std::vector<std::string> linted() const {
     std::istringstream stream(read("notes"));
-    return {std::istream_iterator<std::string>(stream), {}};
+    std::vector<std::string> names;
+    for (std::string unit; stream >> unit;) names.push_back(std::filesystem::path(unit).filename());
+    return names;
   }
+  std::vector<std::string> units_;
 };
 
-TEST_F(Lint, TakesChangedFilesFirstAndThenAllOthersOnce) {
+TEST_F(Lint, TakesUnitsWithChangedFilesFirstAndThenAllOthersOnce) {
   write("checkout/harness/h.cpp", "int h;\n");
   write("checkout/harness/c.hpp", "int c();\n");  // if this header changes, c.cpp is linted
+  write("checkout/harness/k.cpp", "int k;\n");
   ASSERT_EQ(shell("git add . && git commit -q -m change"), 0);
   write("checkout/harness/f.cpp", "int f;\n");  // a file that is not yet committed
   ASSERT_EQ(shell(".ci/lint"), 0) << output();
-  const std::vector<std::string> files = linted();
-  ASSERT_EQ(files.size(), 10u);
-  EXPECT_EQ(std::set(files.begin(), files.end()).size(), 10u);
-  EXPECT_EQ(std::vector(files.begin(), files.begin() + 3),
-            (std::vector<std::string>{"harness/c.cpp", "harness/f.cpp", "harness/h.cpp"}));
-  expect_has(output(), "linted 10 of 10 files, 3 of 3 changed ones");
+  const std::vector<std::string> units = linted();
+  ASSERT_EQ(units.size(), 10u);
+  EXPECT_EQ(std::set(units.begin(), units.end()).size(), 10u);
+  EXPECT_EQ(std::vector(units.begin(), units.begin() + 4),
+            (std::vector<std::string>{"c.cpp", "f.cpp", "h.cpp", "unity_0_cxx.cxx"}));
+  expect_has(output(), "linted 10 of 10 units, 4 of 4 with changed files");
 }
 
 TEST_F(Lint, StartsNothingAfterItsLimit) {
   EXPECT_EQ(shell("PELAGE_LINT_MINUTES=0 .ci/lint"), 0) << output();
   EXPECT_TRUE(linted().empty());
-  expect_has(output(), "linted 0 of 10 files");
+  expect_has(output(), "linted 0 of 10 units");
   EXPECT_EQ(shell("PELAGE_LINT_MINUTES=all .ci/lint"), 0) << output();
   EXPECT_EQ(linted().size(), 10u);
   EXPECT_EQ(shell("PELAGE_LINT_MINUTES=soon .ci/lint"), 2);
 }
 
 TEST_F(Lint, OneFindingFailsAndTheOthersAreStillLinted) {
-  clang_tidy("test \"$file\" != harness/e.cpp");
+  clang_tidy("test \"${file##*/}\" != e.cpp");
   EXPECT_NE(shell(".ci/lint"), 0);
   EXPECT_EQ(linted().size(), 10u);
-  expect_has(output(), "lint: harness/e.cpp has findings");
+  expect_has(output(), "e.cpp has findings");
 }
 
 TEST_F(Lint, WorksWithoutGit) {
@@ -75,12 +91,11 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// A run of .ci/lint with a time limit may check only some of the unchanged files. After each commit, .ci/lint
-// therefore starts at another file of the list of unchanged files. After enough commits, the runs have
-// checked every file.
-TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
-  for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
-  ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);
+// A run of .ci/lint with a time limit may check only some of the unchanged units. After each commit, .ci/lint
+// therefore starts at another place in their list. After enough commits, the runs have checked all.
+TEST_F(Lint, TheOrderOfUnchangedUnitsMovesOn) {
+  for (int i = 0; i < 50; ++i) units_.push_back(path(fmt::format("checkout/harness/{}.cpp", i)));
+  write_units();
   std::set<std::string> first;
   for (int run = 0; run < 2; ++run) {
     for (int i = 0; i < 10 + run; ++i) ASSERT_EQ(shell("git commit -q --allow-empty -m next"), 0);
