@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "harness/mesh/sides.hpp"
+#include "harness/parallel.hpp"
 
 namespace pelage {
 namespace {
@@ -31,28 +32,32 @@ double twice_map_area(const Mesh& mesh, const glm::uvec3& t) {
 // two faces at this edge.
 std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
   std::vector<std::uint8_t> count(std::size_t(side) * std::size_t(side), 0);
-  for (const glm::uvec3& t : mesh.triangle) {
-    glm::dvec2 p[3];
-    for (int k = 0; k < 3; ++k) p[k] = glm::dvec2(mesh.uv[t[k]]) * double(side) - 0.5;
-    if (twice_map_area(mesh, t) < 0) std::swap(p[1], p[2]);
-    const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
-    for (int y = std::max(0, int(std::ceil(low))); y < side && y < high; ++y) {
-      double left = HUGE_VAL, right = -HUGE_VAL;
-      for (int k = 0; k < 3; ++k) {
-        // The intersection of edge and texel row is computed from the edge's lower end, so that both faces at
-        // the edge get the same value.
-        glm::dvec2 a = p[k], b = p[(k + 1) % 3];
-        if (std::tie(a.y, a.x) > std::tie(b.y, b.x)) std::swap(a, b);
-        if (!(a.y <= y && y < b.y)) continue;
-        const double x = a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y);
-        left = std::min(left, x), right = std::max(right, x);
-      }
-      for (int x = std::max(0, int(std::ceil(left))); x < side && x < right; ++x) {
-        auto& texel = count[std::size_t(y) * std::size_t(side) + std::size_t(x)];
-        if (texel < 255) ++texel;
+  constexpr int rows = 256;  // that a thread takes at a time
+  for_each_index(std::size_t((side + rows - 1) / rows), [&](std::size_t band) {
+    const int begin = int(band) * rows, end = std::min(side, begin + rows);
+    for (const glm::uvec3& t : mesh.triangle) {
+      glm::dvec2 p[3];
+      for (int k = 0; k < 3; ++k) p[k] = glm::dvec2(mesh.uv[t[k]]) * double(side) - 0.5;
+      if (twice_map_area(mesh, t) < 0) std::swap(p[1], p[2]);
+      const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
+      for (int y = std::max(begin, int(std::ceil(low))); y < end && y < high; ++y) {
+        double left = HUGE_VAL, right = -HUGE_VAL;
+        for (int k = 0; k < 3; ++k) {
+          // The intersection of edge and texel row is computed from the edge's lower end, so that both faces
+          // at the edge get the same value.
+          glm::dvec2 a = p[k], b = p[(k + 1) % 3];
+          if (std::tie(a.y, a.x) > std::tie(b.y, b.x)) std::swap(a, b);
+          if (!(a.y <= y && y < b.y)) continue;
+          const double x = a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y);
+          left = std::min(left, x), right = std::max(right, x);
+        }
+        for (int x = std::max(0, int(std::ceil(left))); x < side && x < right; ++x) {
+          auto& texel = count[std::size_t(y) * std::size_t(side) + std::size_t(x)];
+          if (texel < 255) ++texel;
+        }
       }
     }
-  }
+  });
   return count;
 }
 

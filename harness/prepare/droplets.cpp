@@ -294,7 +294,7 @@ std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, cons
   const std::size_t listed = droplets.size();
   scatter(*mesh, skin, wetness, radii, droplets);
   set_arrivals(wetness, droplets, listed);
-  if (wetness.seams != "joined") return droplets;
+  if (wetness.seams != "joined" || droplets.empty()) return droplets;
   for (std::size_t i = 0; i < droplets.size(); ++i) droplets[i].number = std::uint32_t(i);
   return across_seams(*mesh, droplets);
 }

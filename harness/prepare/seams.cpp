@@ -4,7 +4,6 @@
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
-#include <map>
 #include <utility>
 
 namespace pelage {
@@ -36,22 +35,25 @@ constexpr double most_scale = 8;  // an edge whose lengths on its sides differ b
 /// Returns the edges whose two triangles have different UVs at them, once for each side.
 std::vector<SeamEdge> seam_edges(const Mesh& mesh) {
   using Ends = std::pair<std::uint32_t, std::uint32_t>;
-  std::map<Ends, std::vector<Ends>>
-      copies;  // for each edge between surface points, the vertices on its sides
+  std::vector<std::pair<Ends, Ends>> sides;  // an edge between surface points, and its vertices on one side
+  sides.reserve(3 * mesh.triangle.size());
   for (const glm::uvec3& t : mesh.triangle)
     for (int c = 0; c < 3; ++c) {
       std::uint32_t a = t[c], b = t[(c + 1) % 3];
       if (mesh.weld[a] > mesh.weld[b]) std::swap(a, b);
-      copies[{mesh.weld[a], mesh.weld[b]}].emplace_back(a, b);
+      sides.push_back({{mesh.weld[a], mesh.weld[b]}, {a, b}});
     }
+  std::stable_sort(sides.begin(), sides.end(), [](auto& a, auto& b) { return a.first < b.first; });
   std::vector<SeamEdge> edges;
-  for (const auto& [points, sides] : copies) {
-    if (sides.size() != 2 || (mesh.uv[sides[0].first] == mesh.uv[sides[1].first] &&
-                              mesh.uv[sides[0].second] == mesh.uv[sides[1].second]))
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].first == sides[first].first) ++last;
+    if (last - first != 2) continue;
+    const Ends both[] = {sides[first].second, sides[first + 1].second};
+    if (mesh.uv[both[0].first] == mesh.uv[both[1].first] &&
+        mesh.uv[both[0].second] == mesh.uv[both[1].second])
       continue;
     for (int side = 0; side < 2; ++side) {
-      const Ends& own = sides[std::size_t(side)];
-      const Ends& other = sides[std::size_t(1 - side)];
+      const Ends &own = both[side], &other = both[1 - side];
       SeamEdge e;
       e.from = complex_of(mesh.uv[own.first]);
       e.along = complex_of(mesh.uv[own.second]) - e.from;
