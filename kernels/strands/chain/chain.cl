@@ -213,22 +213,24 @@ __kernel void chain_frame(ChainParams p, TABLE(ChainMoment) moments, TABLE(scala
   last = last < units ? last : units;
 #if COLLECTS
   int touching[48], waiting = 0;
-  for (int u = first; u < last; ++u) {
-    Chain old = load_chain(t, u);
-    truth deferred = held(old);
-    Chain c = last_chain(p, moments, t, field, u, old, 1, &deferred);
-    if (some(deferred)) {
-      c.u = choose3(deferred, old.u, c.u), c.w = choose3(deferred, old.w, c.w);
-      c.a = choose3(deferred, old.a, c.a), c.b = choose3(deferred, old.b, c.b);
-      waiting += squeeze(lane_numbers() + u * LANES, deferred, touching + waiting);
+  for (int u = first; u < last || waiting > 0; ++u) {
+    if (u < last) {
+      Chain old = load_chain(t, u);
+      truth deferred = held(old);
+      Chain c = last_chain(p, moments, t, field, u, old, 1, &deferred);
+      if (some(deferred)) {
+        c.u = choose3(deferred, old.u, c.u), c.w = choose3(deferred, old.w, c.w);
+        c.a = choose3(deferred, old.a, c.a), c.b = choose3(deferred, old.b, c.b);
+        waiting += squeeze(lane_numbers() + u * LANES, deferred, touching + waiting);
+      }
+      store_motion(c, t, u);  // the impulses of strands that are not deferred are 0 before and after the launch
     }
-    store_motion(c, t, u);  // the impulses of strands that are not deferred are 0 before and after the launch
-    if (waiting >= 16) {
-      waiting -= 16;
-      chain_batch(p, moments, t, field, room, item, touching + waiting, 16);
+    if (waiting >= 16 || (u >= last && waiting > 0)) {  // the only call, because compilers copy the function to each call
+      int count = waiting < 16 ? waiting : 16;
+      waiting -= count;
+      chain_batch(p, moments, t, field, room, item, touching + waiting, count);
     }
   }
-  if (waiting > 0) chain_batch(p, moments, t, field, room, item, touching, waiting);
 #else
   truth none;
   for (int u = first; u < last; ++u) store_chain(last_chain(p, moments, t, field, u, load_chain(t, u), 0, &none), t, u);
