@@ -109,7 +109,9 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #else
 #define BLOCK_SIDE 4
 #endif
+#ifndef TILE_BLOCKS  // tiles of 64 and of 128 pixels have as many blocks, so they can share the program bins.cl
 #define TILE_BLOCKS (STRAND_TILE / BLOCK_SIDE)
+#endif
 
 #define MOST_SEGMENTS 7
 // The keys have one depth step more than this number.
