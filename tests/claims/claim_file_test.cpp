@@ -2,7 +2,7 @@
 
 #include "harness/claims/claim.hpp"
 #include "tests/claims/rows.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::claims {
 namespace {

@@ -12,6 +12,7 @@
 namespace pelage::cli {
 
 using test::expect_has;
+using test::expect_lacks;
 using test::has;
 
 struct Outcome {

@@ -5,7 +5,7 @@
 
 #include "harness/error.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -30,7 +30,7 @@ struct Axes : ::testing::Test {
   }
   void refuses(const std::string& text, const std::string& part, const Overrides& overrides = {}) const {
     const std::string said = refusal(text, overrides);
-    EXPECT_NE(said.find(part), std::string::npos) << said;
+    test::expect_has(said, part);
   }
   test::Folder folder;
 };

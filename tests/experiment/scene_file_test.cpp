@@ -5,7 +5,7 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -82,22 +82,18 @@ TEST_F(SceneFile, ChangesTheHashOfTheCase) {
 
 TEST_F(SceneFile, ErrorsNameBothFiles) {
   const auto names_both = [&](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find("e/e.toml"), std::string::npos) << text;
-    EXPECT_NE(text.find("s/my.toml"), std::string::npos) << text;
-    EXPECT_NE(text.find(part), std::string::npos) << text;
+    test::expect_has(text, {"e/e.toml", "s/my.toml", part});
   };
   // If a key of the experiment is wrong, the error message contains the line number of the key.
-  EXPECT_NE(refusal("fur.lenght = 1").find("e.toml:6: fur.lenght: no such key; did you mean fur.length?"),
-            std::string::npos);
+  test::expect_has(refusal("fur.lenght = 1"), "e.toml:6: fur.lenght: no such key; did you mean fur.length?");
   const std::string missing = refusal("", "../s/mine.toml");
-  EXPECT_NE(missing.find("e.toml:5: scene.file: "), std::string::npos) << missing;
-  EXPECT_NE(missing.find("s/mine.toml: there is no such scene file"), std::string::npos) << missing;
+  test::expect_has(missing, {"e.toml:5: scene.file: ", "s/mine.toml: there is no such scene file"});
   scene("model = \"torus\"\n[fur]\nlength = 9\n");
   names_both(refusal(""), "my.toml:3: fur.length: 9 is out of range");
   scene("model = ");
   names_both(refusal(""), "my.toml:1: not TOML");
-  EXPECT_NE(refusal("file.x = 1").find("e.toml"), std::string::npos);
-  EXPECT_NE(refusal("", "").find("scene.file must be the path of a scene file"), std::string::npos);
+  test::expect_has(refusal("file.x = 1"), "e.toml");
+  test::expect_has(refusal("", ""), "scene.file must be the path of a scene file");
 }
 
 }  // namespace

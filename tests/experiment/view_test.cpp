@@ -7,7 +7,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

@@ -45,6 +45,7 @@ const Links& links() {
 
 std::size_t faults_of(const std::string& path, const std::string& include) {
   return include_faults(path, "// first line\n#include " + include + "\n", links()).size();
+#include "tests/support/texts.hpp"
 }
 
 /// Expects that `faults_in`, a rule of rules.hpp, finds nothing in the files of the checkout.
@@ -72,8 +73,7 @@ TEST(House, KeepsOneCopyOfAComputationInTheKernels) {
 
 TEST(House, LaunchesKernelsInOnePlaceAndInGroupsOfAKnownSize) {
   expect_kept(launch_faults);
-  EXPECT_NE(pelage::test::text_of(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("),
-            std::string::npos);
+  pelage::test::expect_has(pelage::test::text_of(root / "harness/cl/program.cpp"), "clEnqueueNDRangeKernel(");
 }
 
 // Each mapping (a way to distribute the pixels over work-items), pipeline, solver, topology and shading model

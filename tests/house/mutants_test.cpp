@@ -6,6 +6,7 @@
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace fs = std::filesystem;
 using pelage::house::root;
@@ -32,16 +33,15 @@ TEST(MutantFiles, CanBeApplied) {
 
 TEST(MutantFiles, AreAllRunByCi) {
   const std::string text = pelage::test::text_of(root / ".ci/full");
-  EXPECT_NE(text.find("for data in tests/mutants/*.toml; do\n  scripts/mutants.py --data \"$data\"\ndone\n"),
-            std::string::npos);
+  pelage::test::expect_has(
+      text, "for data in tests/mutants/*.toml; do\n  scripts/mutants.py --data \"$data\"\ndone\n");
 }
 
 TEST(MutantFiles, APlantedTextThatIsGoneIsSeen) {
   if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
   const pelage::test::Folder folder;
-  std::ofstream(folder.path / "gone.toml")
-      << "[[test_house]]\nname = 'gone'\nwhy = ''\noriginal = 'no such text in any source'\n"
-         "replacement = ''\nfilter = '*'\n";
+  pelage::test::write_text(folder.path / "gone.toml",
+                           "[test_house.'*'.gone]\nwhy = ''\noriginal = 'no such text'\nreplacement = ''\n");
   EXPECT_NE(checked(folder.path / "gone.toml"), 0);
 }
 

@@ -14,6 +14,7 @@
 #include "harness/error.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -79,8 +80,7 @@ TEST_F(Runner, AFailedCheckPublishesNoTime) {
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_TRUE(row.samples.empty());
   EXPECT_FALSE(row.metrics.contains("fragments_per_s"));
-  EXPECT_NE(row.reason.find("psnr against reference is 59.9, but must be at least 60"), std::string::npos)
-      << row.reason;
+  test::expect_has(row.reason, "psnr against reference is 59.9, but must be at least 60");
 }
 
 struct Compared : FakeSubject {
@@ -140,7 +140,7 @@ TEST_F(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
   const auto rows = read_contents(journal.file()).rows;
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1].status, Status::error);
-  EXPECT_NE(rows[1].reason.find("log line 2"), std::string::npos);
+  test::expect_has(rows[1].reason, "log line 2");
   EXPECT_EQ(rows[2].status, Status::unsupported);
   EXPECT_EQ(rows[3].status, Status::ok);
 }

@@ -11,7 +11,7 @@
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
 #include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -97,7 +97,7 @@ TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
     return p;
   };
   for (const int frame : {1, 2}) folder.write(fmt::format("z{}.obj", frame), torus(centred));
-  EXPECT_NE(torus(centred).find(" -0 "), std::string::npos);
+  test::expect_has(torus(centred), " -0 ");
   EXPECT_EQ(refusal_of_frames(folder, "z1.obj", 2), "accepted");
 }
 
@@ -105,13 +105,11 @@ TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   const Move still = [](glm::dvec3 p) { return p; };
   const TempFolder folder;
   folder.write("a1.obj", torus(still));
-  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos)
-      << refusal_of_frames(folder, "a1.obj", 2);
+  test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "a2.obj");
   folder.write("a2.obj", torus(still, 2 * around * along - 1));
-  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("the points or faces are not those of"),
-            std::string::npos);
+  test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "the points or faces are not those of");
   folder.write("a2.obj", "no mesh");
-  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos);
+  test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "a2.obj");
 
   // Two tori of the same points, of which only one moves.
   const std::string text = torus(still);
@@ -122,9 +120,7 @@ TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   };
   folder.write("b1.obj", twice(still));
   folder.write("b2.obj", twice([](glm::dvec3 p) { return p + glm::dvec3(0, 1, 0); }));
-  EXPECT_NE(refusal_of_frames(folder, "b1.obj", 2).find("coincide in the first frame and part here"),
-            std::string::npos)
-      << refusal_of_frames(folder, "b1.obj", 2);
+  test::expect_has(refusal_of_frames(folder, "b1.obj", 2), "coincide in the first frame and part here");
 }
 
 // Small holes are filled, and the points of the faces that fill them come from the file. A part that the
@@ -139,9 +135,7 @@ TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
   };
   for (const int frame : {1, 2})
     folder.write(fmt::format("c{}.obj", frame), with_speck(torus([](glm::dvec3 p) { return p; })));
-  EXPECT_NE(refusal_of_frames(folder, "c1.obj", 2).find("the preparation of this mesh moved"),
-            std::string::npos)
-      << refusal_of_frames(folder, "c1.obj", 2);
+  test::expect_has(refusal_of_frames(folder, "c1.obj", 2), "the preparation of this mesh moved");
 }
 
 }  // namespace

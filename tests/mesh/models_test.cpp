@@ -11,7 +11,7 @@
 #include "harness/mesh/procedural.hpp"
 #include "harness/mesh/quality.hpp"
 #include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "harness/mesh/soup.hpp"
 #include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

@@ -7,7 +7,7 @@
 #include "harness/mesh/unfold.hpp"
 #include "harness/mesh/write_ply.hpp"
 #include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

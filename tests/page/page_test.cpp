@@ -9,6 +9,7 @@
 #include "harness/picture/image_io.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -56,7 +57,7 @@ TEST(Page, HostileNamesAreText) {
   PageParts parts;
   parts.notes = {hostile};
   const std::string page = page_of(write_reports(rows, folder.path, no_note), parts);
-  EXPECT_EQ(page.find("<img src=x"), std::string::npos);
+  test::expect_lacks(page, "<img src=x");
   const std::string number = nonce_of(page);
   EXPECT_EQ(number.size(), 32u);
   EXPECT_EQ(number.find_first_not_of("0123456789abcdef"), std::string::npos);
@@ -79,11 +80,10 @@ TEST(Page, HostileNamesAreText) {
 TEST(Page, ThePolicyNamesEveryScript) {
   const Folder folder;
   const std::string page = page_of(write_reports(test::table1_rows(), folder.path, no_note), {});
-  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
-  EXPECT_EQ(page.find("script-src 'unsafe-inline'"), std::string::npos);
+  test::expect_has(page, "default-src 'none'");
+  test::expect_lacks(page, "script-src 'unsafe-inline'");
   EXPECT_EQ(count(page, "<script nonce=\"" + nonce_of(page) + "\">"), 4u);
-  EXPECT_EQ(page.find(" src=\"http"), std::string::npos);
-  EXPECT_EQ(page.find(" href=\"http"), std::string::npos);
+  test::expect_lacks(page, {" src=\"http", " href=\"http"});
 }
 
 /// The tables of the page refer to every cell by its index, and each cell to its rows.
@@ -115,12 +115,11 @@ TEST(Page, TheSummaryCountsTheCasesWithoutTimes) {
   const Folder folder;
   std::vector<FoundRow> rows = test::table1_rows();
   const std::string all = page_of(write_reports(rows, folder.path, no_note), {});
-  EXPECT_NE(all.find("32 cases. All of them are ok"), std::string::npos);
-  EXPECT_EQ(all.find("have no times"), std::string::npos);
+  test::expect_has(all, "32 cases. All of them are ok");
+  test::expect_lacks(all, "have no times");
   rows[0].row.status = Status::error;
   const std::string some = page_of(write_reports(rows, folder.path, no_note), {});
-  EXPECT_NE(some.find("32 cases. 31 of them are ok"), std::string::npos);
-  EXPECT_NE(some.find("The other case has no time."), std::string::npos);
+  test::expect_has(some, {"32 cases. 31 of them are ok", "The other case has no time."});
 }
 
 /// Rows of the same cases that were measured with another mesh are a second set of results on one page.
@@ -137,7 +136,7 @@ TEST(Page, OnePageHasAllSets) {
   ASSERT_EQ(reports.size(), 2u);
   write_page(reports, folder.path / "index.html");
   const std::string page = text_of(folder.path / "index.html");
-  EXPECT_NE(page.find("Results, set 2"), std::string::npos);
+  test::expect_has(page, "Results, set 2");
   EXPECT_EQ(count(page, "<tr data-row="), 64u);
   EXPECT_FALSE(fs::exists(folder.path / "inputs-2/index.html"));
   EXPECT_TRUE(fs::exists(folder.path / "inputs-2/tables/all-phases.csv"));
@@ -150,7 +149,7 @@ TEST(Page, PlotsHaveTheirValues) {
   if (reports[0].plots.empty()) GTEST_SKIP() << "matplotlib is not installed";
   const std::string body = body_of(reports, {});
   EXPECT_EQ(count(body, "<figure class=\"plot\">"), reports[0].plots.size());
-  EXPECT_NE(body.find("data-file=\"silva2010-table1.csv\">CSV of the plot"), std::string::npos);
+  test::expect_has(body, "data-file=\"silva2010-table1.csv\">CSV of the plot");
   EXPECT_EQ(count(body, "<?xml"), 0u);
   EXPECT_EQ(count(body, "<metadata"), 0u);
   // 32 cases, with our number and the paper's.
@@ -176,7 +175,7 @@ TEST(Page, PicturesAreReducedToTheLimit) {
   EXPECT_EQ(pictures[0].width, 500);
   EXPECT_EQ(pictures[0].webp.substr(0, 4), "RIFF");
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("pear-64-800x600.png"), std::string::npos);
+  test::expect_has(notes[0], "pear-64-800x600.png");
 
   notes.clear();
   const auto small = page_pictures(reports, {.bytes = 30'000, .most_width = 500, .least_width = 40}, notes);
@@ -188,7 +187,7 @@ TEST(Page, PicturesAreReducedToTheLimit) {
 
   notes.clear();
   EXPECT_LT(page_pictures(reports, {.bytes = 500, .most_width = 500, .least_width = 200}, notes).size(), 3u);
-  EXPECT_NE(notes.back().find("of 3 pictures"), std::string::npos);
+  test::expect_has(notes.back(), "of 3 pictures");
 
   PageParts parts;
   parts.pictures = pictures;

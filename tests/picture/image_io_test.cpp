@@ -16,7 +16,7 @@
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -77,9 +77,7 @@ TEST_F(ImageIo, PngSaysThatItIsSrgb) {
   write_picture(folder / "a.png", gradient(3, 2));
   const std::string bytes = test::text_of(folder / "a.png");
   EXPECT_EQ(bytes.substr(12, 17), "IHDR\0\0\0\3\0\0\0\2\x08\2\0\0\0"s);
-  EXPECT_NE(bytes.find("gAMA\0\0\xb1\x8f"s), std::string::npos);
-  EXPECT_NE(bytes.find("sRGB\3"s), std::string::npos);
-  EXPECT_NE(bytes.find("cHRM\0\0\x7a\x26\0\0\x80\x84"s), std::string::npos);
+  test::expect_has(bytes, {"gAMA\0\0\xb1\x8f"s, "sRGB\3"s, "cHRM\0\0\x7a\x26\0\0\x80\x84"s});
 }
 
 TEST_F(ImageIo, TopRowIsFirst) {

@@ -4,7 +4,7 @@
 
 #include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::planted {
 namespace {

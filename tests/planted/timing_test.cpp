@@ -6,7 +6,7 @@
 #include "harness/subjects/pipelines.hpp"
 #include "tests/planted/runs.hpp"
 #include "tests/support/busy.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::planted {
 namespace {

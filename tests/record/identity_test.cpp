@@ -7,7 +7,7 @@
 #include "harness/record/journal.hpp"
 #include "harness/record/results_folder.hpp"
 #include "tests/support/fake.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -51,16 +51,15 @@ TEST(Identity, ARowKeepsItsIdentityAndItsSchema) {
   EXPECT_EQ(old.schema, 1);
   EXPECT_TRUE(old.identity.empty());
   row.schema = 4;
-  EXPECT_NE(refusal_of_call([&] { row_from_line(to_line(row)); }).find("schema 4"), std::string::npos);
+  test::expect_has(refusal_of_call([&] { row_from_line(to_line(row)); }), "schema 4");
 }
 
 TEST(Identity, ARowThatContradictsItsChecksIsRefused) {
   Row row = sample_row("a");
   row.check.push_back({"reference", "flips", 0.5, 0.001, false});
-  EXPECT_NE(refusal_of_call([&] { row_from_line(to_line(row)); }).find("its check flips"), std::string::npos);
+  test::expect_has(refusal_of_call([&] { row_from_line(to_line(row)); }), "its check flips");
   row.check.clear();
-  EXPECT_NE(refusal_of_call([&] { row_from_line(to_line(row)); }).find("nothing was checked"),
-            std::string::npos);
+  test::expect_has(refusal_of_call([&] { row_from_line(to_line(row)); }), "nothing was checked");
 }
 
 // A row that a newer version of pelage wrote is not damaged. The error message must not advise the user to
@@ -71,8 +70,8 @@ TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
   row.schema = 4;
   write_text(folder.path / "j.jsonl", to_line(row) + "\n");
   const std::string text = refusal_of_call([&] { read_contents(folder.path / "j.jsonl"); });
-  EXPECT_NE(text.find("j.jsonl:1: the row has schema 4"), std::string::npos) << text;
-  EXPECT_EQ(text.find("delete"), std::string::npos) << text;
+  test::expect_has(text, "j.jsonl:1: the row has schema 4");
+  test::expect_lacks(text, "delete");
 }
 
 TEST(Journal, AFailedCaseRunsAgain) {
@@ -114,8 +113,7 @@ TEST(Results, TwoRowsOfOneMeasurementThatDifferAreRefused) {
   write_text(one, to_line(sample_row("a")) + "\n");
   write_text(two, to_line(changed) + "\n");
   const std::string text = refusal_of_call([&] { read_results({folder.path.string()}); });
-  EXPECT_NE(text.find("one.jsonl"), std::string::npos) << text;
-  EXPECT_NE(text.find("two.jsonl"), std::string::npos) << text;
+  test::expect_has(text, {"one.jsonl", "two.jsonl"});
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 #include "harness/error.hpp"
 #include "tests/support/fake.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -52,7 +52,7 @@ TEST(RowLine, CpuTimesMayBeMissing) {
   const Row row = row_from_line(body + fmt::format(",\"crc\":\"{:08x}\"}}", sum));
   EXPECT_EQ(row.samples.at("frame").wall_ms, std::vector<double>{1.5});
   EXPECT_TRUE(row.samples.at("frame").cpu_ms.empty());
-  EXPECT_EQ(to_line(row).find("cpu_ms"), std::string::npos);
+  test::expect_lacks(to_line(row), "cpu_ms");
 }
 
 TEST(RowLine, AnyChangedByteIsNoticed) {
@@ -76,7 +76,7 @@ TEST(RowLine, OnlyOkRowsHaveATime) {
 TEST(RowLine, DriverTextNeedNotBeUtf8) {
   Row row = sample_row("a");
   row.reason = "log: \xff\xfe end";
-  EXPECT_NE(row_from_line(to_line(row)).reason.find("end"), std::string::npos);
+  test::expect_has(row_from_line(to_line(row)).reason, "end");
 }
 
 TEST(Journal, KeepsRowsAcrossProcesses) {
@@ -101,7 +101,7 @@ TEST(Journal, ATornTailAtEveryByteIsDroppedOnResumeOnly) {
     write_text(file, first + second.substr(0, cut));
     const bool whole = cut == second.size();
     if (cut > 0 && !whole) {
-      EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::fresh); }).find("--resume"), std::string::npos);
+      test::expect_has(error_of([&] { Journal(file, Journal::Mode::fresh); }), "--resume");
       EXPECT_EQ(text_of(file).size(), first.size() + cut) << "a refusal must not change the file";
     }
     Journal journal(file, Journal::Mode::resume);
@@ -125,7 +125,7 @@ TEST(Journal, DamageInTheMiddleIsAnError) {
     EXPECT_EQ(text_of(file), damaged);
   }
   write_text(file, first + "\n" + second);
-  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find(":2: damaged"), std::string::npos);
+  test::expect_has(error_of([&] { Journal(file, Journal::Mode::resume); }), ":2: damaged");
 }
 
 TEST(Journal, AKeyStandsOnce) {
@@ -135,8 +135,7 @@ TEST(Journal, AKeyStandsOnce) {
   {
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
-    EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("already contains the row"),
-              std::string::npos);
+    test::expect_has(error_of([&] { journal.append(sample_row("a")); }), "already contains the row");
     Row repeat = sample_row("a"), changed = sample_row("a");
     repeat.repeat = 1;
     changed.overrides["fur.length"] = "0.1";
@@ -144,15 +143,14 @@ TEST(Journal, AKeyStandsOnce) {
     journal.append(changed);
   }
   write_text(file, line + line);
-  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("second row"), std::string::npos);
+  test::expect_has(error_of([&] { Journal(file, Journal::Mode::resume); }), "second row");
 }
 
 TEST(Journal, OneWriterAtATime) {
   const Folder folder;
   const fs::path file = folder.path / "j.jsonl";
   Journal journal(file, Journal::Mode::fresh);
-  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("another pelage"),
-            std::string::npos);
+  test::expect_has(error_of([&] { Journal(file, Journal::Mode::resume); }), "another pelage");
 }
 
 TEST(Journal, ReadersPassOverATornTail) {
@@ -224,7 +222,7 @@ TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
     journal.append(sample_row("a"));
     g_short = 40;
     g_fail_write_after = after;
-    EXPECT_NE(error_of([&] { journal.append(sample_row("b")); }).find("No space left"), std::string::npos);
+    test::expect_has(error_of([&] { journal.append(sample_row("b")); }), "No space left");
     EXPECT_EQ(text_of(file), to_line(sample_row("a")) + "\n");
     reset();
     EXPECT_FALSE(error_of([&] { journal.append(sample_row("c")); }).empty())
@@ -235,7 +233,7 @@ TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
 TEST_F(BadCalls, AFailedSyncIsNotRetried) {
   Journal journal(file, Journal::Mode::fresh, calls);
   g_fail_sync = true;
-  EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("synced"), std::string::npos);
+  test::expect_has(error_of([&] { journal.append(sample_row("a")); }), "synced");
   g_fail_sync = false;
   EXPECT_FALSE(error_of([&] { journal.append(sample_row("b")); }).empty());
 }

@@ -10,7 +10,7 @@
 #include "harness/error.hpp"
 #include "harness/record/journal.hpp"
 #include "tests/support/fake.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -121,17 +121,15 @@ TEST(Merge, OtherInputsOfACaseAreRefusedAndNamed) {
   inputs.write("a/own/gpu@node1.jsonl", {row_of("a")});
   inputs.write("b/own/gpu@node1.jsonl", {edited});
   const std::string text = inputs.refusal({"a", "b"});
-  EXPECT_NE(text.find("a/own/gpu@node1.jsonl"), std::string::npos) << text;
-  EXPECT_NE(text.find("b/own/gpu@node1.jsonl"), std::string::npos) << text;
-  EXPECT_NE(text.find("scene was 1111111111111111, is 9999999999999999"), std::string::npos) << text;
-  EXPECT_NE(text.find("--keep-apart"), std::string::npos) << text;
+  test::expect_has(text, {"a/own/gpu@node1.jsonl", "b/own/gpu@node1.jsonl",
+                          "scene was 1111111111111111, is 9999999999999999", "--keep-apart"});
 }
 
 TEST(Merge, TwoMeasurementsOfACaseAreRefused) {
   const Inputs inputs;
   inputs.write("a/own/gpu@node1.jsonl", {row_of("a")});
   inputs.write("b/own/gpu@node1.jsonl", {row_of("a", "run2")});
-  EXPECT_NE(inputs.refusal({"a", "b"}).find("measured in different runs (run1 and run2)"), std::string::npos);
+  test::expect_has(inputs.refusal({"a", "b"}), "measured in different runs (run1 and run2)");
 }
 
 TEST(Merge, AChangedRowIsRefused) {
@@ -140,7 +138,7 @@ TEST(Merge, AChangedRowIsRefused) {
   changed.samples["frame"].wall_ms.front() /= 2;
   inputs.write("a/own/gpu@node1.jsonl", {row_of("a")});
   inputs.write("b/own/gpu@node1.jsonl", {changed});
-  EXPECT_NE(inputs.refusal({"a", "b"}).find("One of the files was changed"), std::string::npos);
+  test::expect_has(inputs.refusal({"a", "b"}), "One of the files was changed");
 }
 
 // Two shards of one run have no case in common, so the merge cannot compare rows of the same case. It must
@@ -159,15 +157,15 @@ TEST(Merge, ShardsOfDifferentRunsAreRefusedAndNamed) {
   EXPECT_EQ(refusal_of([](Row& row) { row.identity["kernel b.cl"] = "9999999999999999"; }), "");
   for (const char* part : {"device", "kernel a.cl"}) {
     const std::string text = refusal_of([&](Row& row) { row.identity[part] = "9999999999999999"; });
-    EXPECT_NE(text.find(std::string("are not of one run: ") + part + " was "), std::string::npos) << text;
+    test::expect_has(text, std::string("are not of one run: ") + part + " was ");
   }
   const std::string preset = refusal_of([](Row& row) { row.provenance["preset"] = "smoke"; });
-  EXPECT_NE(preset.find("preset was quick, is smoke"), std::string::npos) << preset;
+  test::expect_has(preset, "preset was quick, is smoke");
   const std::string schema = refusal_of([](Row& row) {
     row.schema = 1;
     row.identity.clear();
   });
-  EXPECT_NE(schema.find("schema was 2 or later, is 1 (without identity)"), std::string::npos) << schema;
+  test::expect_has(schema, "schema was 2 or later, is 1 (without identity)");
 }
 
 TEST(Merge, WhatDiffersIsKeptApartOnRequest) {
@@ -269,7 +267,7 @@ TEST(Merge, ARowCannotLeaveTheFolder) {
   }
   Row row = row_of("../a");
   inputs.write("a/own/gpu@node1.jsonl", {row});
-  EXPECT_NE(inputs.refusal({"a"}).find("cannot be the name of a file"), std::string::npos);
+  test::expect_has(inputs.refusal({"a"}), "cannot be the name of a file");
 }
 
 // A merge must copy the recorded rows of the repository. Rows of older schemas become rows of the present

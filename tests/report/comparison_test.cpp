@@ -7,7 +7,7 @@
 
 #include "harness/error.hpp"
 #include "tests/report/rows.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -153,7 +153,7 @@ TEST(Compare, TwoMeasurementsOfOneNameInASetAreRefused) {
   EXPECT_EQ(compared(clean, cells_of(other), 0.05).size(), 32u);
   rows.insert(rows.end(), other.begin(), other.end());
   const std::string said = test::refusal([&] { compared(cells_of(rows), clean, 0.05); });
-  EXPECT_NE(said.find("different inputs (scene)"), std::string::npos) << said;
+  test::expect_has(said, "different inputs (scene)");
 }
 
 TEST(Compare, Fractions) {

@@ -3,6 +3,7 @@
 #include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -68,7 +69,7 @@ TEST(LeftOut, IsATableInEveryFormat) {
   for (const std::string& text : {text_of(table), csv_of(table), latex_of(table), html_of(table)})
     for (const char* reason :
          {"copy of a row of i.jsonl", "another reason", "the journal has no complete row"})
-      EXPECT_NE(text.find(reason), std::string::npos) << text;
+      test::expect_has(text, reason);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "harness/report/plot_spec.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -75,8 +76,8 @@ TEST(Report, WritesEverythingItPromises) {
                            "plots/plot.py", "plots/style.py", "plots/silva2010-table1-frame-time.json"})
     EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
   EXPECT_EQ(test::lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
-  EXPECT_NE(text_of(out / "references.bib").find("10.1007/s00371-010-0484-4"), std::string::npos);
-  EXPECT_NE(text_of(out / "provenance.txt").find("preset: quick"), std::string::npos);
+  test::expect_has(text_of(out / "references.bib"), "10.1007/s00371-010-0484-4");
+  test::expect_has(text_of(out / "provenance.txt"), "preset: quick");
   EXPECT_EQ(report.rows.size(), rows.size());
   if (report.notes.empty()) {
     EXPECT_GT(fs::file_size(out / "plots/silva2010-table1-frame-time.svg"), 5000u);
@@ -105,8 +106,7 @@ TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
   rows.resize(3);
   rows[0].row.provenance["other_cpu_share"] = 0.05;
   const Report idle = write_report(rows, folder.path / "idle", note);
-  for (const std::string& line : idle.notes)
-    EXPECT_EQ(line.find("loaded machine"), std::string::npos) << line;
+  for (const std::string& line : idle.notes) test::expect_lacks(line, "loaded machine");
   rows[1].row.provenance["other_cpu_share"] = 0.5;
   const Report loaded = write_report(rows, folder.path / "loaded", note);
   ASSERT_FALSE(loaded.notes.empty());
@@ -118,9 +118,8 @@ TEST(Report, APlotThatFailsIsANote) {
   const Folder folder;
   std::ofstream(folder.path / "none.py") << "raise ModuleNotFoundError(\"No module named 'matplotlib'\")\n";
   std::ofstream(folder.path / "odd.py") << "raise ValueError('odd')\n";
-  EXPECT_NE(draw_plot(folder.path / "none.py", "x", "y").find("matplotlib is not installed"),
-            std::string::npos);
-  EXPECT_NE(draw_plot(folder.path / "odd.py", "x", "y").find("ValueError: odd"), std::string::npos);
+  test::expect_has(draw_plot(folder.path / "none.py", "x", "y"), "matplotlib is not installed");
+  test::expect_has(draw_plot(folder.path / "odd.py", "x", "y"), "ValueError: odd");
 }
 
 /// Returns the numbers that label the ticks of a plot of the times 48, 52 and 56 ms of three models.

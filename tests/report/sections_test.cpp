@@ -11,6 +11,7 @@
 #include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -65,10 +66,8 @@ TEST(PaperSection, AsText) {
   const std::string text = text_of(sections(test::table1_rows()).at(0).table);
   // The synthetic frame time is (triangles + pixels) * layers / 1e6 ms = (9360 + 480000) * 16 / 1e6 ms. It
   // corresponds to 127.7 fps, which is 0.478 times the paper's 267 fps.
-  EXPECT_NE(text.find("9360    128   267  0.478"), std::string::npos) << text;
-  EXPECT_NE(text.find("< 1"), std::string::npos);
-  EXPECT_NE(text.find("a hippo: stand-in"), std::string::npos);
-  EXPECT_NE(text.find("Table 1, measured on Intel Quad Core 3 GHz"), std::string::npos) << text;
+  test::expect_has(text, {"9360    128   267  0.478", "< 1", "a hippo: stand-in",
+                          "Table 1, measured on Intel Quad Core 3 GHz"});
 }
 
 TEST(PaperSection, AFailedCellShowsItsStatusAndNoTime) {
@@ -76,7 +75,7 @@ TEST(PaperSection, AFailedCellShowsItsStatusAndNoTime) {
   rows[0].row.status = Status::failed_check;
   rows[0].row.metrics.erase("triangles");
   const Table table = sections(rows).at(0).table;
-  EXPECT_NE(text_of(table).find("failed-check"), std::string::npos);
+  test::expect_has(text_of(table), "failed-check");
   EXPECT_EQ(pivot_of(table).blocks[0].rows.size(), 8u) << "the failed cell stays in its model's row";
   const std::size_t line = line_with(table, {{"status", "failed-check"}});
   for (const char* column : {"fps", "fps_low", "median_ms", "median_ms_high", "ratio", "ratio_low"})
@@ -113,8 +112,7 @@ TEST(Sections, ChangedCasesHaveASectionOfTheirOwn) {
   both.insert(both.end(), rows.begin(), rows.end());
   const auto all = sections(both);
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_NE(all[1].table.subtitle.find("changed: fur.length=0.1"), std::string::npos)
-      << all[1].table.subtitle;
+  test::expect_has(all[1].table.subtitle, "changed: fur.length=0.1");
   EXPECT_EQ(all[1].table.lines.size(), 32u);
   EXPECT_EQ(all[1].table.stem, all[0].table.stem + "-length-0.1");
   EXPECT_EQ(column_of(all[1].table, "ratio"), -1) << "the paper did not time this scene";
@@ -129,7 +127,7 @@ TEST(CaseSection, HasEveryCaseOfOwnAxes) {
   ASSERT_EQ(all.size(), 1u);
   const std::string text = text_of(all[0].table);
   for (const char* time : {"10.0 [", "20.0 [", "30.0 [", "40.0 [", "50.0 [", "60.0 ["})
-    EXPECT_NE(text.find(time), std::string::npos) << time << "\n" << text;
+    test::expect_has(text, time);
   EXPECT_NE(text.find("0.05"), std::string::npos) << "numbers appear as they were written";
   ASSERT_EQ(all[0].plots.size(), 1u);
   const PlotSpec& plot = all[0].plots[0];
@@ -188,7 +186,7 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   EXPECT_EQ(all[0].plots[0].high, "error_rms_high");
   EXPECT_EQ(all[0].plots[0].y_scale, "log");
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("y names \"nothing\""), std::string::npos) << notes[0];
+  test::expect_has(notes[0], "y names \"nothing\"");
   const auto json = nlohmann::json::parse(json_of(all[0].plots[0]));
   EXPECT_EQ(json.at("x"), "fur.length");
   EXPECT_EQ(json.at("labels").at("layers"), "{} layers");
@@ -243,7 +241,7 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
                       "of 32 cells)",
                       10.0 / 8 * std::pow(1.5, 7.0 / 8)),
           std::string("softpipe")})
-      EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+      test::expect_has(text, part);
   ASSERT_EQ(all[0].plots.size(), 1u);
   EXPECT_EQ(all[0].plots[0].y, "opengl_ratio");
   EXPECT_EQ(all[0].plots[0].guide, 1);
@@ -257,8 +255,7 @@ TEST(RatioSection, CountsWhatHasNoRatio) {
       found.row.samples.clear();
     }
   const std::string text = text_of(sections(rows).at(0).table);
-  EXPECT_NE(text.find("the geometric mean 9.00 over 28 of 32 cells"), std::string::npos) << text;
-  EXPECT_NE(text.find("failed-check"), std::string::npos);
+  test::expect_has(text, {"the geometric mean 9.00 over 28 of 32 cells", "failed-check"});
 }
 
 // A variant that was not measured in turns with the baseline has a table of its times.
@@ -325,7 +322,7 @@ TEST(TopologySection, TellsWhatHasNoTime) {
   rows[0].row.status = Status::diverged;
   rows[0].row.samples.clear();
   const Table table = sections(rows).at(0).table;
-  EXPECT_NE(text_of(table).find("diverged"), std::string::npos);
+  test::expect_has(text_of(table), "diverged");
   // If the first topology has no time in a case, the other topologies have no ratio in this case.
   const Row& row = rows[0].row;
   EXPECT_EQ(row.axes.at("dynamics.topology"), "silva");
@@ -345,7 +342,7 @@ TEST(TopologySection, HasOwnModels) {
   const auto all = sections(rows);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].table.lines.size(), 20u);
-  EXPECT_NE(all[0].table.subtitle.find("changed: model=mine.obj"), std::string::npos);
+  test::expect_has(all[0].table.subtitle, "changed: model=mine.obj");
   EXPECT_EQ(all[0].plots.at(0).x, "dynamics.topology");
   EXPECT_EQ(all[0].plots.at(1).y_label, "simulate, ms");
 }
@@ -378,8 +375,7 @@ TEST(VariantSection, HasTheFastestFirstAndNoTimeForAnotherPicture) {
   EXPECT_EQ(pivot.blocks[0].rows.back().keys[0].data, "volume");
   EXPECT_EQ(pivot.blocks[0].rows.back().keys[1].shown, "-");
   for (const std::string& text : {text_of(table), html_of(table)}) {
-    EXPECT_NE(text.find("320 [320, 320]"), std::string::npos) << text;
-    EXPECT_NE(text.find("failed-check"), std::string::npos) << text;
+    test::expect_has(text, {"320 [320, 320]", "failed-check"});
   }
 }
 

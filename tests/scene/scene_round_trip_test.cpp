@@ -14,6 +14,7 @@
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -215,7 +216,7 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
     EXPECT_NE(text.find(describe_range(key)), std::string::npos) << key.name;
   }
   for (const char* word : {"default", "uv", "point", "r_drop", "[[shading.light]]"}) {
-    EXPECT_NE(text.find(word), std::string::npos) << word;
+    test::expect_has(text, word);
   }
 }
 
@@ -309,7 +310,7 @@ TEST(ChangedKeys, ContainListsAndKeyframesAndShortenLongLists) {
   EXPECT_EQ(few[1],
             std::pair(std::string("keyframes.\"fur.length\""), std::string("[[0.0, 0.1], [1.0, 0.2]]")));
   for (int i = 0; i < 100; ++i) text += "[[wetness.droplet]]\nuv = [0.5, 0.5]\nradius = 0.1\n";
-  EXPECT_NE(changed_keys(parse_scene(text, "a.toml"))[0].second.find(" characters"), std::string::npos);
+  test::expect_has(changed_keys(parse_scene(text, "a.toml"))[0].second, " characters");
 }
 
 }  // namespace

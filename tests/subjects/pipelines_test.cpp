@@ -10,6 +10,7 @@
 
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -56,7 +57,7 @@ TEST(Rivals, MeetOnTheSceneOfTable1) {
           which.axes.at("model") + "-" + which.axes.at("layers") + "-" + which.axes.at("size");
       ASSERT_TRUE(expected.contains(cell)) << cell;
       EXPECT_EQ(scene_hash(scene_of(rivals, which)), expected.at(cell)) << which.name;
-      EXPECT_NE(which.pipeline.find("opengl"), std::string::npos);
+      test::expect_has(which.pipeline, "opengl");
       ++compared;
     }
     EXPECT_EQ(compared, cells) << file;

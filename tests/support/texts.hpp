@@ -1,17 +1,54 @@
-// Looks for parts of texts.
+// Messages of errors that a test expects, and parts of texts.
 #pragma once
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <source_location>
 #include <string>
 
+#include "harness/error.hpp"
+
 namespace pelage::test {
+
+/// Returns the message of the Error that work() throws, or `otherwise` if it throws none.
+template <class Error = InputError, class Work>
+std::string refusal(const Work& work, const std::string& otherwise = "accepted") {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return otherwise;
+}
+
+using Place = std::source_location;
 
 inline bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-inline void expect_has(const std::string& text, const std::string& part) {
-  EXPECT_TRUE(has(text, part)) << "there is no\n" << part << "\nin\n" << text;
+/// Expects each of `parts` in the text. A failure names the line of the call.
+inline void expect_has(const std::string& text, std::initializer_list<std::string> parts,
+                       const Place& at = Place::current()) {
+  for (const std::string& part : parts)
+    if (!has(text, part))
+      ADD_FAILURE_AT(at.file_name(), int(at.line())) << "there is no\n" << part << "\nin\n" << text;
+}
+
+inline void expect_has(const std::string& text, const std::string& part, const Place& at = Place::current()) {
+  expect_has(text, {part}, at);
+}
+
+/// Expects none of `parts` in the text.
+inline void expect_lacks(const std::string& text, std::initializer_list<std::string> parts,
+                         const Place& at = Place::current()) {
+  for (const std::string& part : parts)
+    if (has(text, part)) ADD_FAILURE_AT(at.file_name(), int(at.line())) << part << "\nis in\n" << text;
+}
+
+inline void expect_lacks(const std::string& text, const std::string& part,
+                         const Place& at = Place::current()) {
+  expect_lacks(text, {part}, at);
 }
 
 }  // namespace pelage::test

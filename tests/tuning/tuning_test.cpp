@@ -5,7 +5,7 @@
 #include "harness/error.hpp"
 #include "harness/tuning/tuning_search.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -132,7 +132,7 @@ TEST(TuningFile, MistakesAreRefusedByLineAndKey) {
   const auto refused = [&](const std::string& text, const std::string& says) {
     test::write_text(file, text);
     const std::string said = test::refusal([&] { read_tuning(file); });
-    EXPECT_NE(said.find(says), std::string::npos) << said;
+    test::expect_has(said, says);
   };
   refused("TILE_W = 16\nTILLE_H = 16\n", "t.toml:2: TILLE_H: no such tuning axis");
   refused("TILE_W = 1.5\n", "t.toml:1: TILE_W");
