@@ -16,8 +16,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 const FrameOrigin origin{{"scene", "12"}, {"frames per second", "24"}};
 
 struct Place : test::Folder {

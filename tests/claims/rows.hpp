@@ -30,7 +30,7 @@ inline FoundRow row(const Axes& axes, double ms, const std::string& run = "run")
 
 inline ClaimFile file_of(const std::string& text) {
   const pelage::test::Folder folder;
-  pelage::test::write_text(folder.path / "claims.toml", text);
+  folder.write("claims.toml", text);
   return read_claims(folder.path / "claims.toml");
 }
 

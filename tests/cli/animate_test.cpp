@@ -6,8 +6,6 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string small = " --model torus-16x8 --size 64x48 --set fur.layers=8 --set fur.texture=64";
 const std::string wind =
     " --set dynamics.wind.strength=0.02 --set dynamics.wind.gust=1.5 --set dynamics.wind.frequency=2";
@@ -91,9 +89,9 @@ TEST(Animate, KilledAndContinuedItHasTheSameFiles) {
                                        long_animation)),
             0)
       << folder.read("stderr");
-  ASSERT_FALSE(fs::exists(folder.path() / "part/frame-00199.png"));
+  ASSERT_FALSE(fs::exists(folder.path / "part/frame-00199.png"));
   const std::string first = folder.read("part/frame-00000.png");
-  const auto drawn = fs::last_write_time(folder.path() / "part/frame-00000.png");
+  const auto drawn = fs::last_write_time(folder.path / "part/frame-00000.png");
   expect_refused(
       pelage(folder, long_animation + "part"),
       "pelage: part: already contains frames: continue with --resume, or give another folder with -o");
@@ -101,7 +99,7 @@ TEST(Animate, KilledAndContinuedItHasTheSameFiles) {
                  "part/animation.txt: the frames were drawn with \"scene: ");
 
   expect_has(done(folder, long_animation + "part --resume").err, " kept\n");
-  EXPECT_EQ(fs::last_write_time(folder.path() / "part/frame-00000.png"), drawn);
+  EXPECT_EQ(fs::last_write_time(folder.path / "part/frame-00000.png"), drawn);
   expect_same_files(folder, "whole", "part");
 }
 
@@ -150,17 +148,17 @@ TEST(Animate, RefusesBadUsageBeforeItDraws) {
       {"animate wet -o f --to 1 --reference-bits 8", "add --pipeline reference"},
   };
   for (const auto& [arguments, message] : refused) expect_refused(pelage(folder, arguments), message);
-  EXPECT_FALSE(fs::exists(folder.path() / "f"));
+  EXPECT_FALSE(fs::exists(folder.path / "f"));
 }
 
 /// Makes a folder of programs in which `ffmpeg` writes its arguments to the file `arguments`, and the text
 /// "video" to the file that its last argument names. Returns the environment in which pelage finds it.
 std::string with_fake_ffmpeg(const Folder& folder) {
-  fs::create_directory(folder.path() / "bin");
-  const std::string bin = (folder.path() / "bin").string();
-  folder.write("bin/ffmpeg", "#!/bin/sh\nprintf '%s\\n' \"$PWD\" \"$@\" >>'" + folder.path().string() +
+  fs::create_directory(folder.path / "bin");
+  const std::string bin = (folder.path / "bin").string();
+  folder.write("bin/ffmpeg", "#!/bin/sh\nprintf '%s\\n' \"$PWD\" \"$@\" >>'" + folder.path.string() +
                                  "/arguments'\nfor file; do :; done\nprintf video >\"$file\"\n");
-  fs::permissions(folder.path() / "bin/ffmpeg", fs::perms::owner_all);
+  fs::permissions(folder.path / "bin/ffmpeg", fs::perms::owner_all);
   return fmt::format("PATH='{}:{}'", bin, std::getenv("PATH"));
 }
 
@@ -187,15 +185,15 @@ TEST(Animate, JoinsTheFramesWithFfmpeg) {
 
 TEST(Animate, WithoutFfmpegAVideoIsRefusedBeforeItDraws) {
   const Folder folder;
-  fs::create_directory(folder.path() / "bin");
+  fs::create_directory(folder.path / "bin");
   ASSERT_EQ(run_in(folder, "ln -s \"$(command -v timeout)\" bin/timeout"), 0);
-  const std::string path = fmt::format("PATH='{}'", (folder.path() / "bin").string());
+  const std::string path = fmt::format("PATH='{}'", (folder.path / "bin").string());
   for (const char* option : {"--gif a.gif", "--mp4 a.mp4"}) {
     expect_refused(pelage(folder, fmt::format("animate wet {} -o frames --frames 2 {}", small, option), path),
                    fmt::format("pelage: {}: needs the program ffmpeg, which is not installed (Debian "
                                "package: ffmpeg); frames need no ffmpeg",
                                option));
-    EXPECT_FALSE(fs::exists(folder.path() / "frames"));
+    EXPECT_FALSE(fs::exists(folder.path / "frames"));
   }
 }
 

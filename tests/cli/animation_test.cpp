@@ -8,8 +8,6 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Replaces `from` by `to` in `text` and returns the result. `text` must contain `from` exactly once.
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -59,9 +57,9 @@ TEST(Animation, TheCommandsDrawFramesThatMoveAndJoin) {
 
   if (!ffmpeg) GTEST_SKIP() << "ffmpeg is not installed, so the frames are not joined";
   EXPECT_EQ(folder.read("grass.gif").substr(0, 6), "GIF89a");
-  EXPECT_GT(fs::file_size(folder.path() / "grass.gif"), 500u);
+  EXPECT_GT(fs::file_size(folder.path / "grass.gif"), 500u);
   EXPECT_EQ(folder.read("grass.mp4").substr(4, 4), "ftyp");
-  EXPECT_GT(fs::file_size(folder.path() / "grass.mp4"), 500u);
+  EXPECT_GT(fs::file_size(folder.path / "grass.mp4"), 500u);
 }
 
 }  // namespace

@@ -193,7 +193,7 @@ TEST(BadInput, Meshes) {
       "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float "
       "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n");
   expect_all(folder, meshes, "render -o a.png --pipeline reference --size 16x16 ", true);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path / "a.png"));
 }
 
 /// Writes the first half of a valid PNG, TIFF and OpenEXR file, and the header of a JPEG file.
@@ -206,7 +206,7 @@ void write_halves(const Folder& folder) {
     noise.pixel.emplace_back(next(), next(), next(), 1.0f);
   }
   for (const char* name : {"half.png", "half.tif", "half.exr"}) {
-    write_picture(folder.path() / name, noise);
+    write_picture(folder.path / name, noise);
     const std::string bytes = folder.read(name);
     folder.write(name, bytes.substr(0, bytes.size() / 2));
   }
@@ -230,8 +230,8 @@ TEST(BadInput, Images) {
 
 TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
   const Folder folder;
-  write_picture(folder.path() / "coat.png", Picture{1, 1, {{1, 1, 1, 1}}});
-  std::filesystem::copy_file(PELAGE_BINARY, folder.path() / "alone");
+  write_picture(folder.path / "coat.png", Picture{1, 1, {{1, 1, 1, 1}}});
+  std::filesystem::copy_file(PELAGE_BINARY, folder.path / "alone");
   const auto alone = [&](const std::string& more) {
     return pelage(folder, tiny_picture + more, "", "./alone");
   };
@@ -245,7 +245,7 @@ TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
 
 TEST(BadInput, Outputs) {
   const Folder folder;
-  std::filesystem::create_directory(folder.path() / "folder.png");
+  std::filesystem::create_directory(folder.path / "folder.png");
   expect_all(folder, outputs, tiny_picture, true);
   expect_refused(pelage(folder, "scene >/dev/full"), "pelage: standard output cannot be written");
 }
@@ -253,7 +253,7 @@ TEST(BadInput, Outputs) {
 TEST(BadInput, NoDevice) {
   const Folder folder;
   for (const char* command : {"render -o a.png --model torus", "check", "devices"})
-    expect_refused(pelage(folder, command, "OCL_ICD_VENDORS=" + folder.path().string()), "", false, 3);
+    expect_refused(pelage(folder, command, "OCL_ICD_VENDORS=" + folder.path.string()), "", false, 3);
 }
 
 }  // namespace

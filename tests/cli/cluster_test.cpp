@@ -8,8 +8,6 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Writes an experiment with four cases into a temporary folder.
 struct Cluster : ::testing::Test {
   void SetUp() override { folder.write("own.toml", of_torus("layers = [4, 6, 8, 10]")); }
@@ -53,12 +51,12 @@ TEST_F(Cluster, MergedShardsAreTheRunAndNamedIfMissing) {
   expect_has(whole.err, "whole: 4 rows, 4 pictures; 2 copies of rows left out");
   EXPECT_EQ(cases_in(folder, "whole").size(), 4u);
   EXPECT_EQ(cases_in(folder, "whole"), cases_in(folder, "single"));
-  EXPECT_TRUE(fs::exists(folder.path() / "whole/own/images/torus_24x12-8-320x240.png"));
+  EXPECT_TRUE(fs::exists(folder.path / "whole/own/images/torus_24x12-8-320x240.png"));
 
   expect_has(done(folder, "run own.toml --host nodes --resume whole").err, "4 kept");
   done(folder, "report whole -o page");
   done(folder, "merge --dry-run none whole");
-  EXPECT_FALSE(fs::exists(folder.path() / "none"));
+  EXPECT_FALSE(fs::exists(folder.path / "none"));
 }
 
 TEST_F(Cluster, ARunCutByItsBudgetIsIncomplete) {
@@ -100,7 +98,7 @@ TEST_F(Cluster, MergeRefusesWhatItCannotJoin) {
   run("-o a --filter x12-4-");
   run("-o b --filter x12-4-");
   expect_refused(pelage(folder, "merge out a b"), "measured in different runs");
-  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+  EXPECT_FALSE(fs::exists(folder.path / "out"));
   expect_has(done(folder, "merge out a b --keep-apart").err, "rows that differ (run) are in out/apart-2");
   folder.write("file", "text");
   const std::string in_source = std::string(PELAGE_SOURCE_DIR) + "/results/new a";
@@ -122,7 +120,7 @@ TEST_F(Cluster, AnAnonymousRunKeepsTheGivenHostOnly) {
 /// Runs a shell command in `folder`. The variable PELAGE names the pelage program of this build. Returns the
 /// exit code.
 int shell(const Folder& folder, const std::string& command) {
-  const std::string line = "cd '" + folder.path().string() +
+  const std::string line = "cd '" + folder.path.string() +
                            "' && ASAN_OPTIONS=detect_leaks=0 PELAGE='" PELAGE_BINARY "' timeout 1200 " +
                            command + " >stdout 2>stderr";
   const int status = std::system(line.c_str());
@@ -159,7 +157,7 @@ TEST(Slurm, EveryShellBlockOfTheDocumentWorks) {
   const int code =
       shell(folder, "'" PELAGE_SOURCE_DIR "/scripts/slurm_here.sh' slurm-node bash \"$PWD/blocks.sh\"");
   EXPECT_EQ(code, 0) << folder.read("stdout") << folder.read("stderr");
-  EXPECT_TRUE(fs::exists(folder.path() / "report/index.html"));
+  EXPECT_TRUE(fs::exists(folder.path / "report/index.html"));
 }
 
 }  // namespace

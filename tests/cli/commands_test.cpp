@@ -94,7 +94,7 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
        "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
        "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
        "frame.h5");
-  const hid_t file = H5Fopen((folder.path() / "frame.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t file = H5Fopen((folder.path / "frame.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   ASSERT_GE(file, 0);
   for (const char* name :
        {"mesh/position", "mesh/triangle", "mesh/uv", "mesh/normal", "strand/root", "strand/rest",
@@ -164,7 +164,7 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   // The dataset "image" is equal to the picture that the same command wrote.
   const Dataset image = read(file, "image");
   EXPECT_EQ(image.shape, (Shape{30, 40, 4}));
-  const Picture picture = read_picture(folder.path() / "image.exr");
+  const Picture picture = read_picture(folder.path / "image.exr");
   for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
     for (int c = 0; c < 4; ++c) ASSERT_EQ(image.values[4 * i + std::size_t(c)], picture.pixel[i][c]);
   }
@@ -181,11 +181,11 @@ TEST(Commands, ShellsAndReferenceDrawTheSamePicture) {
     const Outcome outcome = done(folder, scene + rest);
     EXPECT_EQ(outcome.out, "");
   }
-  const Picture reference = read_picture(folder.path() / "reference.exr");
+  const Picture reference = read_picture(folder.path / "reference.exr");
   for (const char* name : {"tile.exr", "pixel.exr"}) {
-    EXPECT_TRUE(within(compare(read_picture(folder.path() / name), reference))) << name;
+    EXPECT_TRUE(within(compare(read_picture(folder.path / name), reference))) << name;
   }
-  const Agreement eight = compare(read_picture(folder.path() / "eight.exr"), reference);
+  const Agreement eight = compare(read_picture(folder.path / "eight.exr"), reference);
   EXPECT_GT(eight.worst, 0.0) << "rounding to 8 bits changed nothing";
   EXPECT_GT(eight.psnr, 30.0);
 }
@@ -233,7 +233,7 @@ TEST(Commands, CheckDrawsFirstWithTheDefaultMappingOfTheDevice) {
 
 TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
   const Folder folder;
-  std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels",
+  std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels",
                         std::filesystem::copy_options::recursive);
   // The test inserts a mistake into a copy of the kernels: it halves the wetness of all droplets.
   folder.edit("kernels/wet/equations.clh", ": drop.wetness;", ": 0.5f * drop.wetness;");

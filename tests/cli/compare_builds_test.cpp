@@ -9,18 +9,16 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "AddressSanitizer must be the first library that is loaded";
 #endif
   const Folder folder;
-  fs::create_directories(folder.path() / "tree/build/release");
-  fs::create_symlink(PELAGE_BINARY, folder.path() / "tree/build/release/pelage");
+  fs::create_directories(folder.path / "tree/build/release");
+  fs::create_symlink(PELAGE_BINARY, folder.path / "tree/build/release/pelage");
   for (const char* part : {"experiments", "kernels", "shaders"})
-    fs::create_symlink(fs::path(PELAGE_SOURCE_DIR) / part, folder.path() / "tree" / part);
-  const std::string command = "cd '" + folder.path().string() +
+    fs::create_symlink(fs::path(PELAGE_SOURCE_DIR) / part, folder.path / "tree" / part);
+  const std::string command = "cd '" + folder.path.string() +
                               "' && python3 '" PELAGE_SOURCE_DIR
                               "/scripts/compare_builds.py' tree tree -o out --rounds 2 --frames 3 --models "
                               "torus --layers 16 --size 320x240 >stdout 2>stderr";
@@ -37,8 +35,7 @@ TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
   EXPECT_GT(ratio, 0);
   EXPECT_GT(control, 0);
   for (const char* side : {"old", "new", "control"})
-    EXPECT_TRUE(fs::is_directory(folder.path() / "out" / ("1-torus-16-320x240-" + std::string(side))))
-        << side;
+    EXPECT_TRUE(fs::is_directory(folder.path / "out" / ("1-torus-16-320x240-" + std::string(side)))) << side;
 }
 
 }  // namespace

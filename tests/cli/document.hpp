@@ -37,7 +37,7 @@ inline std::vector<Block> blocks_of(const std::filesystem::path& document) {
 inline int run_in(const Folder& folder, const std::string& script,
                   const std::filesystem::path& binary = PELAGE_BINARY) {
   folder.write("block.sh", "set -e\n" + script);
-  const std::string command = "cd '" + folder.path().string() +
+  const std::string command = "cd '" + folder.path.string() +
                               "' && ASAN_OPTIONS=detect_leaks=0 PELAGE_KERNELS='" +
                               PELAGE_SOURCE_DIR "/kernels' PATH=\"" + binary.parent_path().string() +
                               ":$PATH\" sh block.sh >stdout 2>stderr";

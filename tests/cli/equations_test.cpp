@@ -13,7 +13,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
 using test::text_of;
 
 /// The name of an equation, and the name of a function that computes the equation.

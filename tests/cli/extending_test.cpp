@@ -46,7 +46,7 @@ void apply(const std::string& diff, const std::filesystem::path& source,
 
 TEST(Extending, EveryBlockOfTheDocumentWorks) {
   const Folder folder;
-  const std::filesystem::path source = PELAGE_SOURCE_DIR, changes = folder.path() / "changes";
+  const std::filesystem::path source = PELAGE_SOURCE_DIR, changes = folder.path / "changes";
   const auto blocks = blocks_of(source / "docs/extending.md");
   ASSERT_GE(blocks.size(), 16u);
   std::filesystem::path binary = PELAGE_BINARY;
@@ -92,7 +92,7 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
   EXPECT_GE(shells, 7);
   EXPECT_EQ(builds, 3);  // a mapping, a system, a topology
   for (const char* made : {"resolved.toml", "sheep.png", "tetrahedron.ply", "tetrahedron.png"}) {
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / made)) << made;
+    EXPECT_TRUE(std::filesystem::exists(folder.path / made)) << made;
   }
 }
 

@@ -18,12 +18,12 @@ TEST(Figures, OneFigureIsRunAndAgreesWithTheReference) {
   const Folder folder;
   const Outcome run = done(folder, "run silva2010-fig08 --preset smoke --axis figure=wet -o run");
   expect_has(run.err, "1 cases ok, 0 cases not ok");
-  const Picture picture = read_picture(folder.path() / "run/silva2010-fig08/images/wet-160x120.png");
+  const Picture picture = read_picture(folder.path / "run/silva2010-fig08/images/wet-160x120.png");
   EXPECT_EQ(picture.width, 160);
 
   // --case selects the same scene, so the same device draws the same picture.
   done(folder, "render silva2010-fig08 --case wet-640x480 --size 160x120 -o again.png");
-  const Picture again = read_picture(folder.path() / "again.png");
+  const Picture again = read_picture(folder.path / "again.png");
   ASSERT_EQ(again.pixel.size(), picture.pixel.size());
   const auto same = [](const glm::vec4& a, const glm::vec4& b) { return glm::vec3(a) == glm::vec3(b); };
   EXPECT_TRUE(std::equal(picture.pixel.begin(), picture.pixel.end(), again.pixel.begin(), same));
@@ -35,8 +35,8 @@ TEST(Figures, TheCollectionNamesAllTheirCases) {
   expect_has(dry.out, "silva2010-fig13\tnear-640x480");
   expect_has(dry.out, "wetfur2010-fig06\tc-640x480");
   // The pages show only cases that exist, and all of them.
-  ASSERT_EQ(std::system(("'" PELAGE_SOURCE_DIR "/scripts/figure_sheets.py' --list >'" +
-                         folder.path().string() + "/list'")
+  ASSERT_EQ(std::system(("'" PELAGE_SOURCE_DIR "/scripts/figure_sheets.py' --list >'" + folder.path.string() +
+                         "/list'")
                             .c_str()),
             0);
   std::istringstream list(folder.read("list")), cases(dry.out);
@@ -60,7 +60,7 @@ TEST(Diagrams, MasksShowTheTextAndNothingElse) {
   const Folder folder;
   done(folder,
        "diagram mask wet-text --set wetness.text=I --set wetness.text_height=0.4 --side 256 -o mask.png");
-  const Picture mask = read_picture(folder.path() / "mask.png");
+  const Picture mask = read_picture(folder.path / "mask.png");
   ASSERT_EQ(mask.width, 256);
   int inside = 0, outside = 0;
   for (int y = 0; y < 256; ++y)
@@ -94,8 +94,8 @@ TEST(Diagrams, StrandsAreWhiteLinesOverTheFur) {
   const std::string scene = "silva2010-fig04 --case triangle-640x480 --size 160x120 ";
   done(folder, "render " + scene + "-o fur.png");
   done(folder, "diagram lines " + scene + "-o strands.png --line-width 3");
-  const Picture fur = read_picture(folder.path() / "fur.png"),
-                lines = read_picture(folder.path() / "strands.png");
+  const Picture fur = read_picture(folder.path / "fur.png"),
+                lines = read_picture(folder.path / "strands.png");
   int white = 0, other = 0;
   for (std::size_t i = 0; i < fur.pixel.size(); ++i) {
     if (glm::vec3(fur.pixel[i]) == glm::vec3(lines.pixel[i])) continue;

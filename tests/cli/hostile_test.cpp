@@ -9,14 +9,12 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST(Hostile, APictureIsWrittenThroughALink) {
   const Folder folder;
   folder.write("real.png", "old");
-  fs::create_symlink("real.png", folder.path() / "link.png");
+  fs::create_symlink("real.png", folder.path / "link.png");
   done(folder, "render -o link.png --pipeline reference --model torus-24x12 --size 16x16 --set fur.layers=2");
-  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.png"));
+  EXPECT_TRUE(fs::is_symlink(folder.path / "link.png"));
   EXPECT_EQ(folder.read("real.png").substr(1, 3), "PNG");
 }
 
@@ -115,7 +113,7 @@ TEST(Hostile, AnInterruptBeforeTheFirstRowAdvisesNoFolder) {
   const std::string interrupted = "timeout -s INT ";
   for (const char* seconds : {"0.02", "0.05", "0.1", "0.2"}) {
     const Outcome outcome = pelage(folder, "run own.toml -o none", interrupted + seconds);
-    if (fs::exists(folder.path() / "none")) break;
+    if (fs::exists(folder.path / "none")) break;
     EXPECT_FALSE(has(outcome.err, "--resume")) << seconds << " s: " << outcome.err;
   }
 }

@@ -7,8 +7,6 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string render =
     "render -o a.png --device pocl --model torus-24x12 --size 16x16 --set fur.layers=2";
 
@@ -16,7 +14,7 @@ const std::string render =
 TEST(KernelCache, DamagedAndEmptyFilesLeadToTheAdviceToDeleteTheFolder) {
   for (const auto& [ending, text, least] : {std::tuple{".so", "damaged", 4}, {"/program.bc", "", 1}}) {
     const Folder folder;
-    const fs::path cache = folder.path() / "kept";
+    const fs::path cache = folder.path / "kept";
     const std::string kept = "POCL_CACHE_DIR='" + cache.string() + "'";
     done(folder, render, kept);
     int changed = 0;
@@ -38,20 +36,21 @@ TEST(KernelCache, DamagedAndEmptyFilesLeadToTheAdviceToDeleteTheFolder) {
 // PoCL aborts if POCL_CACHE_DIR is set but empty.
 TEST(KernelCache, AnEmptyVariableIsNoFolder) {
   const Folder folder;
-  done(folder, "devices", "POCL_CACHE_DIR= XDG_CACHE_HOME='" + folder.path().string() + "'");
+  done(folder, "devices", "POCL_CACHE_DIR= XDG_CACHE_HOME='" + folder.path.string() + "'");
 }
 
 TEST(KernelCache, AFullDiskIsNamedAndReplacedByATemporaryFolder) {
   const Folder folder;
-  fs::create_directory(folder.path() / "full");
+  fs::create_directory(folder.path / "full");
   const std::string inside = "mount -t tmpfs -o size=64k tmpfs full";
-  if (std::system(("cd '" + folder.path().string() + "' && unshare -Urm sh -c '" + inside + "' 2>/dev/null")
-                      .c_str()) != 0)
+  if (std::system(
+          ("cd '" + folder.path.string() + "' && unshare -Urm sh -c '" + inside + "' 2>/dev/null").c_str()) !=
+      0)
     GTEST_SKIP() << "this process may not mount a small file system";
   folder.write("script.sh",
                inside + "\nPOCL_CACHE_DIR=full/kept ASAN_OPTIONS=detect_leaks=0 '" PELAGE_BINARY "' " +
                    render + " 2>errors\n");
-  EXPECT_EQ(std::system(("cd '" + folder.path().string() + "' && unshare -Urm sh script.sh").c_str()), 0)
+  EXPECT_EQ(std::system(("cd '" + folder.path.string() + "' && unshare -Urm sh script.sh").c_str()), 0)
       << folder.read("errors");
   expect_has(folder.read("errors"), "KiB of free disk space; PoCL keeps compiled kernels in a temporary");
 }

@@ -45,7 +45,7 @@ void write_frames(const Folder& folder) {
 
 Picture drawn(const Folder& folder, const std::string& options) {
   done(folder, "render scene.toml -o a.exr " + options);
-  return read_picture(folder.path() / "a.exr");
+  return read_picture(folder.path / "a.exr");
 }
 
 TEST(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {

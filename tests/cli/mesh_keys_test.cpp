@@ -70,7 +70,7 @@ TEST(MeshKeys, AFileWhoseZAxisPointsUpIsTurned) {
 TEST(MeshKeys, RepairsArePrintedOnceAndByTheCommandMesh) {
   const Folder folder;
   // The comment in the OBJ file makes its content unique, so that the mesh is not yet in the mesh cache.
-  folder.write("t.obj", std::string(overlapping) + "f 1/1 3/2 2/3\n# " + folder.path().string() + "\n");
+  folder.write("t.obj", std::string(overlapping) + "f 1/1 3/2 2/3\n# " + folder.path.string() + "\n");
   const std::string render = small_picture + "-o a.png --model t.obj ";
   expect_has(pelage(folder, render).err, "dropped 1 degenerate or doubled face");
   const Outcome second = done(folder, render);

@@ -7,8 +7,6 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string length = "fur.length = 0.1";
 
 struct Results : ::testing::Test {
@@ -50,7 +48,7 @@ TEST_F(Results, RowsAndReportsContainTheSceneKeys) {
   folder.write("own.toml", of_torus("layers = [4]\nstate = [\"dry\", \"soaked\"]", length) +
                                "[state.soaked]\nwetness.random = 40\nwetness.wetness = 0.8\n");
   done(folder, "run own.toml -o wet");
-  fs::remove(folder.path() / "own.toml");
+  fs::remove(folder.path / "own.toml");
   done(folder, "report wet -o page");
   const std::string provenance = folder.read("page/provenance.txt");
   expect_has(provenance, "    fur.texture = 64\n");
@@ -71,11 +69,11 @@ TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
   expect_has(pelage(folder, "report second -o page").err,
              "(did you mean median_ms?); correct the table [report] of the experiment file and give the file "
              "with --view");
-  EXPECT_FALSE(fs::exists(folder.path() / "page/plots/own-frame-time.json"));
+  EXPECT_FALSE(fs::exists(folder.path / "page/plots/own-frame-time.json"));
   folder.write("own.toml", own + "y = \"median_ms\"\n");
   const Outcome mended = done(folder, "report second -o page --view own.toml");
   EXPECT_FALSE(has(mended.err, "no such column")) << mended.err;
-  EXPECT_TRUE(fs::exists(folder.path() / "page/plots/own-frame-time.json"));
+  EXPECT_TRUE(fs::exists(folder.path / "page/plots/own-frame-time.json"));
   expect_refused(pelage(folder, "report second -o page --view layers"),
                  "--view layers: no row belongs to the experiment layers");
 }
@@ -103,7 +101,7 @@ TEST_F(Results, ATooSmallPictureIsExplained) {
 }
 
 TEST_F(Results, LinkLoopsAndLongNamesAreBadInput) {
-  fs::create_symlink("loop.toml", folder.path() / "loop.toml");
+  fs::create_symlink("loop.toml", folder.path / "loop.toml");
   const std::string longest(5000, 'a');
   for (const std::string& name : {std::string("loop.toml"), longest, longest + ".toml"})
     for (const std::string& command :
@@ -121,13 +119,13 @@ TEST_F(Results, RowsOfDifferentInputsAreNotCompared) {
   done(folder, "compare first second --phase transform");
   expect_refused(pelage(folder, "compare first second --phase bake"),
                  "no row has times of the phase 'bake'; the phases are ");
-  fs::create_directory(folder.path() / "both");
-  for (const char* one : {"first", "second"}) fs::rename(folder.path() / one, folder.path() / "both" / one);
+  fs::create_directory(folder.path / "both");
+  for (const char* one : {"first", "second"}) fs::rename(folder.path / one, folder.path / "both" / one);
   expect_refused(pelage(folder, "compare both both"), "different inputs (scene)");
 }
 
 TEST_F(Results, ACopyCountsOnce) {
-  fs::copy(folder.path() / "first", folder.path() / "copy", fs::copy_options::recursive);
+  fs::copy(folder.path / "first", folder.path / "copy", fs::copy_options::recursive);
   expect_has(done(folder, "report first copy first -o page").err, "2 of 2 rows are in several journals");
   EXPECT_EQ(pelage(folder, "export first copy").out, pelage(folder, "export first").out);
 }
@@ -135,19 +133,19 @@ TEST_F(Results, ACopyCountsOnce) {
 TEST_F(Results, CsvGoesToLinksPipesAndDevices) {
   const std::string expected = pelage(folder, "export first").out;
   folder.write("real.csv", "old");
-  fs::create_symlink("real.csv", folder.path() / "link.csv");
+  fs::create_symlink("real.csv", folder.path / "link.csv");
   done(folder, "export first --csv link.csv");
-  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.csv"));
+  EXPECT_TRUE(fs::is_symlink(folder.path / "link.csv"));
   EXPECT_EQ(folder.read("real.csv"), expected);
   expect_refused(pelage(folder, "export first --csv /dev/full"), "/dev/full: cannot be written");
   EXPECT_FALSE(fs::is_regular_file("/dev/full"));
-  ASSERT_EQ(std::system(("mkfifo '" + (folder.path() / "pipe").string() + "'").c_str()), 0);
+  ASSERT_EQ(std::system(("mkfifo '" + (folder.path / "pipe").string() + "'").c_str()), 0);
   std::string piped;
   std::thread reader([&] { piped = folder.read("pipe"); });
   EXPECT_EQ(pelage(folder, "export first --csv pipe").code, 0);
   reader.join();
   EXPECT_EQ(piped, expected);
-  fs::create_symlink("loop.csv", folder.path() / "loop.csv");
+  fs::create_symlink("loop.csv", folder.path / "loop.csv");
   EXPECT_EQ(pelage(folder, "export first --csv loop.csv").code, 2);
 }
 
@@ -166,7 +164,7 @@ TEST_F(Results, AxesAreLimitedAndChecked) {
 // /dev/full accepts no bytes, like a full disk.
 TEST(FullDisk, ADumpEndsWithOneLine) {
   const Folder folder;
-  fs::create_symlink("/dev/full", folder.path() / "full.h5");
+  fs::create_symlink("/dev/full", folder.path / "full.h5");
   expect_refused(pelage(folder,
                         "render -o a.png --pipeline reference --model torus-24x12 --size 16x16 --set "
                         "fur.layers=2 --dump full.h5"),
@@ -176,8 +174,8 @@ TEST(FullDisk, ADumpEndsWithOneLine) {
 // The file system has no room for a row (2100 KiB of 2 MiB are filled), or for a picture (2000 KiB).
 TEST_F(Results, AFullDiskLeavesARunThatCanBeContinued) {
   const std::string inside = "mount -t tmpfs -o size=2m tmpfs full";
-  fs::create_directory(folder.path() / "full");
-  const std::string there = "cd '" + folder.path().string() + "' && unshare -Urm sh ";
+  fs::create_directory(folder.path / "full");
+  const std::string there = "cd '" + folder.path.string() + "' && unshare -Urm sh ";
   if (std::system((there + "-c '" + inside + "' 2>/dev/null").c_str()) != 0)
     GTEST_SKIP() << "this process may not mount a small file system";
   const std::string program = "ASAN_OPTIONS=detect_leaks=0 '" PELAGE_BINARY "' run own.toml ";
@@ -198,10 +196,10 @@ TEST(Caches, WithoutAWritableCacheKernelsAreCompiledIntoATemporaryFolder) {
   const Folder folder;
   expect_has(
       done(folder, "render -o a.png --model torus-24x12 --size 16x16 --set fur.layers=2",
-           "HOME=/proc XDG_CACHE_HOME=/proc/none POCL_CACHE_DIR= TMPDIR='" + folder.path().string() + "'")
+           "HOME=/proc XDG_CACHE_HOME=/proc/none POCL_CACHE_DIR= TMPDIR='" + folder.path.string() + "'")
           .err,
       "/proc/none/pocl/kcache cannot be written");
-  for (const auto& entry : fs::directory_iterator(folder.path()))
+  for (const auto& entry : fs::directory_iterator(folder.path))
     EXPECT_FALSE(has(entry.path().string(), "pelage-kernels")) << entry.path();
 }
 
@@ -212,7 +210,7 @@ TEST_F(Results, NumbersAreNamedAsTheyAreWritten) {
 
 TEST_F(Results, MeshFilesOfOneNameAreToldApart) {
   for (const std::string place : {"x", "y"}) {
-    fs::create_directory(folder.path() / place);
+    fs::create_directory(folder.path / place);
     folder.write(place + "/m.obj", "a mesh; --dry-run does not read it");
   }
   folder.write("own.toml",

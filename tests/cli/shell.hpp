@@ -13,6 +13,7 @@ namespace pelage::cli {
 
 using test::expect_has;
 using test::expect_lacks;
+using test::Folder;
 using test::has;
 
 struct Outcome {
@@ -21,33 +22,13 @@ struct Outcome {
   std::string arguments;  ///< of the command, for the messages of failed tests
 };
 
-/// A new temporary folder. The destructor deletes it.
-class Folder {
- public:
-  const std::filesystem::path& path() const { return folder_.path; }
-  void write(const std::string& name, const std::string& text) const {
-    test::write_text(path() / name, text);
-  }
-  std::string read(const std::string& name) const { return test::text_of(path() / name); }
-  /// Replaces the first `from` in a file by `to`. The test ends if the file does not contain `from`.
-  void edit(const std::string& name, const std::string& from, const std::string& to) const {
-    std::string text = read(name);
-    const std::size_t place = text.find(from);
-    if (place == std::string::npos) throw std::runtime_error(name + " does not contain " + from);
-    write(name, text.replace(place, from.size(), to));
-  }
-
- private:
-  test::Folder folder_;
-};
-
 /// Runs pelage inside the folder for at most 300 s. `arguments` is a text that the shell splits into
 /// arguments. `environment` contains assignments such as "A=1 B=2".
 inline Outcome pelage(const Folder& folder, const std::string& arguments, const std::string& environment = "",
                       const std::string& binary = PELAGE_BINARY) {
   // The option detect_leaks=0 switches off the leak check, because the OpenCL libraries leak memory.
   // AddressSanitizer still reports other memory errors.
-  const std::string command = "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
+  const std::string command = "cd '" + folder.path.string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
                               environment + " timeout 300 '" + binary + "' >stdout 2>stderr " + arguments;
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder.read("stdout"),
@@ -95,8 +76,8 @@ inline std::string of_torus(const std::string& axes, const std::string& scene = 
 
 /// Returns the name of a journal below a folder of results.
 inline std::string journal_in(const Folder& folder, const std::string& results) {
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / results))
-    if (entry.path().extension() == ".jsonl") return entry.path().lexically_relative(folder.path()).string();
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path / results))
+    if (entry.path().extension() == ".jsonl") return entry.path().lexically_relative(folder.path).string();
   throw std::runtime_error(results + ": no journal");
 }
 

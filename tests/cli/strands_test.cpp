@@ -8,8 +8,6 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* few_strands =
     "--model torus --size 240x180 --set dynamics.topology=chains --set dynamics.gravity=[0,-4,0] --set "
     "'strands.layer=[{count=5000,length=0.15}]' ";
@@ -19,10 +17,10 @@ TEST(Strands, TheDeviceAndTheReferenceDrawTheSamePicture) {
   for (const std::string pipeline : {"strands", "strands-reference"}) {
     done(folder, fmt::format("render {} --pipeline {} -o {}.exr --dump {}.h5", few_strands, pipeline,
                              pipeline, pipeline));
-    EXPECT_TRUE(fs::exists(folder.path() / (pipeline + ".h5")));
+    EXPECT_TRUE(fs::exists(folder.path / (pipeline + ".h5")));
   }
-  const Agreement found = compare(read_picture(folder.path() / "strands.exr"),
-                                  read_picture(folder.path() / "strands-reference.exr"));
+  const Agreement found =
+      compare(read_picture(folder.path / "strands.exr"), read_picture(folder.path / "strands-reference.exr"));
   EXPECT_GT(found.pixels, 5000u);
   EXPECT_TRUE(within(found)) << found.psnr << " dB, " << found.flips << " flips";
 }
@@ -46,7 +44,7 @@ TEST(ScenePipeline, DrawsTheSceneAndWarnsOfUnusedKeys) {
   EXPECT_NE(folder.read("named.png"), folder.read("other.png"));
   expect_refused(pelage(folder, "render furry.toml -o strict.png --strict --set curl.radius=0.1"),
                  "strands-reference does not use these keys of the scene: curl.radius");
-  EXPECT_FALSE(fs::exists(folder.path() / "strict.png"));
+  EXPECT_FALSE(fs::exists(folder.path / "strict.png"));
   done(folder, "render furry.toml -o strict.png --strict");
   done(folder, "animate furry.toml -o frames --to 0.05 --fps 20");
   expect_has(folder.read("frames/animation.txt"), "strands-reference");

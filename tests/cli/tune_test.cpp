@@ -7,8 +7,6 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* smallest = "--preset smoke --filter torus-16 --rounds 6 ";
 
 TEST(Tune, DryRunPrintsTheAxesAndStoresNothing) {
@@ -16,12 +14,12 @@ TEST(Tune, DryRunPrintsTheAxesAndStoresNothing) {
   const Outcome dry = done(folder, "tune --dry-run");
   expect_has(dry.out, "rasterize\tTILE_W\t32,8,16\t");
   expect_has(dry.err, "nothing was run");
-  EXPECT_FALSE(fs::exists(folder.path() / "pelage-tuning"));
+  EXPECT_FALSE(fs::exists(folder.path / "pelage-tuning"));
 }
 
 TEST(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
   const Folder folder;
-  fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels", fs::copy_options::recursive);
+  fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels", fs::copy_options::recursive);
   // The test inserts two bad configurations into a copy of the kernels. If TILE_W is 8, the inserted code
   // regards a pixel as opaque at a transmittance of 0.9. With this code the kernel is fast, but its picture
   // is wrong. TILE_H = 7 is not a valid tile height.

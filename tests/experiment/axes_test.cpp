@@ -17,7 +17,7 @@ const std::string storm = "[mood.storm]\ndynamics.wind.strength = 0.01\ncurl.tur
 
 struct Axes : ::testing::Test {
   Experiment read(const std::string& text) const {
-    test::write_text(folder.path / "e.toml", text);
+    folder.write("e.toml", text);
     return read_experiment(folder.path / "e.toml");
   }
   std::string refusal(const std::string& text, const Overrides& overrides = {}) const {

@@ -4,14 +4,11 @@
 
 #include <algorithm>
 
-#include "harness/error.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 const fs::path kExperiments = fs::path(PELAGE_SOURCE_DIR) / "experiments";
 
@@ -25,7 +22,7 @@ std::string refusal(const std::function<void()>& action) {
 
 std::string refusal_of(const std::string& text) {
   const test::Folder folder;
-  test::write_text(folder.path / "e.toml", text);
+  folder.write("e.toml", text);
   return refusal([&] { read_experiment(folder.path / "e.toml"); });
 }
 

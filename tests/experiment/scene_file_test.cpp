@@ -1,7 +1,6 @@
 // Tests experiments whose table [scene] names a scene file: file = "my.toml".
 #include <gtest/gtest.h>
 
-#include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/files.hpp"
@@ -9,8 +8,6 @@
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Writes an experiment file into the folder e/. The experiment uses the scene file s/my.toml.
 struct SceneFile : ::testing::Test {
@@ -21,11 +18,10 @@ struct SceneFile : ::testing::Test {
         "model = \"torus\"\n[fur]\nlength = 0.05\nlayers = 8\n[coat]\nimage = \"coat.png\"\n"
         "[[shading.light]]\ndirection = [0, 1, 0]\n");
   }
-  void scene(const std::string& text) const { test::write_text(folder.path / "s/my.toml", text); }
+  void scene(const std::string& text) const { folder.write("s/my.toml", text); }
   Experiment read(const std::string& keys, const std::string& file = "../s/my.toml") const {
-    test::write_text(folder.path / "e/e.toml",
-                     "name = \"e\"\n[axes]\ncurl.turns = [1, 2]\n[scene]\nfile = \"" + file + "\"\n" + keys +
-                         "\n[preset.quick]\n");
+    folder.write("e/e.toml", "name = \"e\"\n[axes]\ncurl.turns = [1, 2]\n[scene]\nfile = \"" + file + "\"\n" +
+                                 keys + "\n[preset.quick]\n");
     return read_experiment(folder.path / "e/e.toml");
   }
   Scene first(const Experiment& e, const Overrides& overrides = {}) const {

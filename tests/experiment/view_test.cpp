@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"
@@ -14,8 +13,7 @@ namespace {
 
 View view_of(const std::string& report) {
   const test::Folder folder;
-  test::write_text(folder.path / "e.toml",
-                   "name = \"own\"\n[axes]\nmodel = [\"torus\"]\n[preset.quick]\nleast = 2\n" + report);
+  folder.write("e.toml", "name = \"own\"\n[axes]\nmodel = [\"torus\"]\n[preset.quick]\nleast = 2\n" + report);
   return read_experiment(folder.path / "e.toml").view;
 }
 

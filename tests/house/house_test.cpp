@@ -12,6 +12,7 @@
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace fs = std::filesystem;
 using namespace pelage::house;
@@ -45,7 +46,6 @@ const Links& links() {
 
 std::size_t faults_of(const std::string& path, const std::string& include) {
   return include_faults(path, "// first line\n#include " + include + "\n", links()).size();
-#include "tests/support/texts.hpp"
 }
 
 /// Expects that `faults_in`, a rule of rules.hpp, finds nothing in the files of the checkout.

@@ -40,8 +40,7 @@ TEST(MutantFiles, AreAllRunByCi) {
 TEST(MutantFiles, APlantedTextThatIsGoneIsSeen) {
   if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
   const pelage::test::Folder folder;
-  pelage::test::write_text(folder.path / "gone.toml",
-                           "[test_house.'*'.gone]\nwhy = ''\noriginal = 'no such text'\nreplacement = ''\n");
+  folder.write("gone.toml", "[test_house.'*'.gone]\nwhy = ''\noriginal = 'no such text'\nreplacement = ''\n");
   EXPECT_NE(checked(folder.path / "gone.toml"), 0);
 }
 

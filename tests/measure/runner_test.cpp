@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <limits>
 #include <random>
@@ -19,11 +18,7 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::fake_plan;
-using test::FakeSubject;
-using test::Folder;
-using test::text_of;
+using namespace test;
 
 MakeSubject fakes() {
   return [](const Case&) { return std::make_unique<FakeSubject>(10.0); };

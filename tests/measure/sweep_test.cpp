@@ -20,8 +20,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Runs pelage and discards its output. Kills the process after `kill_after_s` seconds, or never if
 /// `kill_after_s` is negative. Returns the wait status of the process.
 int pelage(std::vector<std::string> words, double kill_after_s = -1) {

@@ -124,7 +124,7 @@ void PrintTo(const Bad& bad, std::ostream* out) {
 class BadFile : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadFile, is_refused_in_one_line) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string file = folder.write(GetParam().file, GetParam().bytes);
   const std::string said = test::refusal([&] { load_model(file, fresh()); });
   EXPECT_EQ(said, file + GetParam().message);
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Each, BadFile, testing::ValuesIn(cases),
 // The text of these errors comes from Assimp, so the test checks only that the message is a single line with
 // the file's name.
 TEST(BadMesh, garbage_in_formats_that_assimp_reads_is_refused_in_one_line) {
-  const TempFolder folder;
+  const test::Folder folder;
   for (const char* name : {"a.3ds", "a.gltf", "a.glb"}) {
     for (const std::string& bytes :
          {garbage, std::string("{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 7}"),
@@ -150,7 +150,7 @@ TEST(BadMesh, garbage_in_formats_that_assimp_reads_is_refused_in_one_line) {
 }
 
 TEST(BadMesh, what_is_no_file_is_said_so) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto message = [](const std::string& name, const MeshOptions& options = {}) {
     return test::refusal([&] { load_model(name, options); });
   };
@@ -198,7 +198,7 @@ const char* const files[] = {"ALSTOM_TEST4.off",
 
 // All faulty meshes of CGAL's examples: load_model() prepares each mesh, or throws an error of one line.
 TEST(NastyMesh, is_prepared_or_refused_and_never_crashes) {
-  const TempFolder folder;
+  const test::Folder folder;
   std::size_t prepared = 0;
   for (const char* name : files) {
     const auto bytes =

@@ -46,7 +46,7 @@ TEST(Cache, no_changed_byte_and_no_shorter_file_is_believed) {
 }
 
 TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {
-  const TempFolder folder;
+  const test::Folder folder;
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   const auto first = load_model("square");
   const std::filesystem::path file = only_file(folder.path);
@@ -65,7 +65,7 @@ TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {
 }
 
 TEST(Cache, a_folder_that_cannot_be_written_costs_time_only) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string file = folder.write("file", "in the way");
   ::setenv("XDG_CACHE_HOME", file.c_str(), 1);
   EXPECT_EQ(load_model("banisch-grass")->triangle.size(), 16u);

@@ -118,7 +118,7 @@ TEST(Canonical, EqualSurfacesBecomeEqualSoups) {
 
 // Assimp, which reads the UV map of a file, divides a face into triangles from its first corner.
 TEST(Canonical, AFileGivesTheSameMeshInEveryOrder) {
-  const TempFolder folder;
+  const test::Folder folder;
   const Soup soup = shape();
   const std::string file = folder.write("shape.obj", obj(soup));
   for (const bool keep_uv : {false, true}) {

@@ -39,7 +39,7 @@ class Shapes {
     return *this;
   }
   std::shared_ptr<const Mesh> mesh(const MeshOptions& options = fresh()) const {
-    return load_model(TempFolder().write("shapes.obj", text_), options);
+    return load_model(test::Folder().write("shapes.obj", text_), options);
   }
 
  private:

@@ -58,14 +58,14 @@ glm::vec3 extent(const Mesh& mesh) {
   return high - low;
 }
 
-std::shared_ptr<const Mesh> turned_pyramid(const TempFolder& folder, glm::vec3 degrees) {
+std::shared_ptr<const Mesh> turned_pyramid(const test::Folder& folder, glm::vec3 degrees) {
   MeshOptions options = fresh();
   options.rotate = degrees;
   return load_model(folder.write("pyramid.off", pyramid), options);
 }
 
 TEST(Rotate, TurnsAboutXThenYThenZ) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto plain = turned_pyramid(folder, glm::vec3(0));
   const glm::vec3 size = extent(*plain);
   ASSERT_GT(size.z, size.x);

@@ -94,7 +94,7 @@ std::string three_ds() {
 }
 
 // Writes a glTF file with its buffers in a separate file, as most exporters do.
-std::string gltf(const TempFolder& folder) {
+std::string gltf(const test::Folder& folder) {
   std::string buffer;
   for (const auto& p : corner)
     for (const float x : p) put(buffer, x);
@@ -127,7 +127,7 @@ void expect_octahedron(const std::string& file) {
 }
 
 TEST(Formats, every_one_is_read) {
-  const TempFolder folder;
+  const test::Folder folder;
   expect_octahedron(folder.write("octa.obj", "# comment\no octa\n" + corners("v ") + faces("f", 1)));
   expect_octahedron(folder.write("octa.off", "OFF\n6 8 0\n\n" + corners("") + "# comment\n" + faces("3", 0)));
   expect_octahedron(folder.write("ascii.ply", ply(false)));
@@ -139,14 +139,14 @@ TEST(Formats, every_one_is_read) {
 }
 
 TEST(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {
-  const TempFolder folder;
+  const test::Folder folder;
   expect_octahedron(folder.write("OCTA.OBJ", "mtllib a.mtl\n" + corners("v ") +
                                                  "vn 0 0 1\nusemtl a\ns off\nl 1 2\n" + "f 1/1/1 3//1 5\n" +
                                                  faces("f", 1).substr(8)));
 }
 
 TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string file = folder.write("quad.obj",
                                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt "
                                         "0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n");
@@ -160,7 +160,7 @@ TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
 }
 
 TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto message = [](const std::string& name) {
     return test::refusal([&] { load_model(name, fresh({}, true)); });
   };
@@ -175,7 +175,7 @@ TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
 }
 
 TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string file = folder.write(
       "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 3 0\nvt 3 2\nvt 0 2\nf 1/1 2/2 3/3 4/4\n");
   const auto kept = load_model(file, fresh({}, true));
@@ -187,7 +187,7 @@ TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
 // Each file contains one triangle. The texture coordinates of its corners coincide or lie on a line, so the
 // UV map has no area.
 TEST(Formats, a_map_without_an_area_is_not_kept) {
-  const TempFolder folder;
+  const test::Folder folder;
   for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 0\nvt 0.25 0\n",
                          "vt 5 5\nvt 5 5\nvt 5 5\n", "vt 1e200 0\nvt 1e200 0\nvt 1e200 0\n"}) {
     const std::string file =
@@ -198,7 +198,7 @@ TEST(Formats, a_map_without_an_area_is_not_kept) {
 }
 
 TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
-  const TempFolder folder;
+  const test::Folder folder;
   // The file has two components. The larger one has a flipped face, a missing face and a duplicate face.
   std::string text = corners("v ") + faces("f", 1);
   text.replace(text.find("f 1 3 5"), 7, "f 3 1 5");

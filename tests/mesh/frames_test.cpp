@@ -48,7 +48,7 @@ glm::dvec3 bent(glm::dvec3 p, int frame) {
   return p + glm::dvec3(0.3 * frame, 0.1 * frame * std::sin(p.x), 0);
 }
 
-std::string refusal_of_frames(const TempFolder& folder, const std::string& first, int count) {
+std::string refusal_of_frames(const test::Folder& folder, const std::string& first, int count) {
   return test::refusal([&] {
     read_mesh_frames(*load_model((folder.path / first).string(), fresh()), folder.path / first, count,
                      glm::dvec3(0));
@@ -65,7 +65,7 @@ TEST(MeshFrames, FilesCountUp) {
 }
 
 TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
-  const TempFolder folder;
+  const test::Folder folder;
   for (int frame = 0; frame < 3; ++frame)
     folder.write(fmt::format("ring{}.obj", frame), torus([&](glm::dvec3 p) { return bent(p, frame); }));
   MeshOptions options = fresh();
@@ -89,7 +89,7 @@ TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
 
 // Exporters print small negative numbers as -0.
 TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
-  const TempFolder folder;
+  const test::Folder folder;
   const Move centred = [](glm::dvec3 p) {
     p -= glm::dvec3(30, -5, 11);
     for (int k = 0; k < 3; ++k)
@@ -103,7 +103,7 @@ TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
 
 TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   const Move still = [](glm::dvec3 p) { return p; };
-  const TempFolder folder;
+  const test::Folder folder;
   folder.write("a1.obj", torus(still));
   test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "a2.obj");
   folder.write("a2.obj", torus(still, 2 * around * along - 1));
@@ -126,7 +126,7 @@ TEST(MeshFrames, ThatDoNotMatchAreRefused) {
 // Small holes are filled, and the points of the faces that fill them come from the file. A part that the
 // preparation drops makes the box of the file larger than that of the mesh.
 TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto with_speck = [](const std::string& text) {
     const std::size_t faces = text.find('f');
     const int points = around * along;

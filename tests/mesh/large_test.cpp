@@ -115,7 +115,7 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
 // increases with the number of overlaps and flipped faces. For flatten(), these values must not be much
 // larger than for CGAL. Neither map has overlaps or flipped faces.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
-  const TempFolder folder;
+  const test::Folder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {
     const auto named = load_model(name);
     const std::string file = (folder.path / (std::string(name) + ".ply")).string();
@@ -130,7 +130,7 @@ TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
 }
 
 TEST(LargeFile, TellsItsStagesAndHowFarTheyAre) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string file = (folder.path / "torus.ply").string();
   write_ply(file, *load_model("torus-40x30"));
   MeshOptions options = fresh();

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
@@ -103,7 +102,7 @@ TEST(Models, all_say_where_they_come_from) {
 }
 
 TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto message = [&](const std::string& text) {
     const std::string said = test::refusal([&] { read_models(folder.write("models.toml", text)); });
     return said == "accepted" ? said : said.substr(folder.path.string().size() + 1);

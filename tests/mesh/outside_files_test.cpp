@@ -13,8 +13,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Returns the bytes of a glTF buffer: the points of a tetrahedron (12 floats), then its faces (12 16-bit
 /// integers).
 std::string buffer(float size) {
@@ -39,7 +37,7 @@ std::string refusal_of(const std::string& file) {
 }
 
 TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
-  const TempFolder folder;
+  const test::Folder folder;
   folder.write("a b.bin", buffer(1));
   EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20b.bin"))),
             std::vector<fs::path>{folder.path / "a b.bin"});
@@ -55,7 +53,7 @@ TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
 }
 
 TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
-  const TempFolder folder;
+  const test::Folder folder;
   fs::create_directory(folder.path / "inner");
   folder.write("outside.bin", buffer(1));
   ASSERT_EQ(::mkfifo((folder.path / "pipe").c_str(), 0600), 0);
@@ -74,7 +72,7 @@ TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
 
 // After a buffer file has changed, the cache must not return the old mesh.
 TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
-  const TempFolder folder;
+  const test::Folder folder;
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   folder.write("a.bin", buffer(1));
   const std::string file = folder.write("a.gltf", gltf_with("a.bin"));
@@ -86,7 +84,7 @@ TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
 }
 
 TEST(OutsideFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string obj = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   const std::string plain = folder.write("a.obj", obj), marked = folder.write("b.obj", "\xef\xbb\xbf" + obj);
   EXPECT_EQ(load_model(marked, fresh())->position, load_model(plain, fresh())->position);
@@ -101,8 +99,8 @@ class Archive : public testing::Test {
     fs::create_directories((folder_.path / long_name).parent_path());
     std::string noise;
     for (unsigned i = 0, x = 1; i < 100000; ++i) noise += char((x = x * 1664525 + 1013904223) >> 24);
-    std::ofstream(folder_.path / "meshes/noise.off", std::ios::binary) << noise;
-    std::ofstream(folder_.path / "meshes/empty.off") << "";
+    folder_.write("meshes/noise.off", noise);
+    folder_.write("meshes/empty.off", "");
     std::ofstream(folder_.path / long_name) << "OFF long";
     noise_ = noise;
     const std::string command =
@@ -113,7 +111,7 @@ class Archive : public testing::Test {
   static std::string error_of(const fs::path& file, const std::string& member) {
     return test::refusal([&] { read_member(file, member); });
   }
-  TempFolder folder_;
+  test::Folder folder_;
   std::string noise_;
 };
 

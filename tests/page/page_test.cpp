@@ -14,9 +14,7 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::text_of;
+using namespace test;
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t n = 0;
@@ -135,7 +133,7 @@ TEST(Page, OnePageHasAllSets) {
   const std::vector<Report> reports = write_reports(rows, folder.path, no_note);
   ASSERT_EQ(reports.size(), 2u);
   write_page(reports, folder.path / "index.html");
-  const std::string page = text_of(folder.path / "index.html");
+  const std::string page = folder.read("index.html");
   test::expect_has(page, "Results, set 2");
   EXPECT_EQ(count(page, "<tr data-row="), 64u);
   EXPECT_FALSE(fs::exists(folder.path / "inputs-2/index.html"));

@@ -21,8 +21,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 class ImageIo : public testing::Test {
  protected:
   std::size_t files() const {

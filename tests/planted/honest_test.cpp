@@ -9,8 +9,6 @@
 namespace pelage::planted {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Honest : Runs {
   /// Runs the experiment `text` with the options. Expects that all rows are ok, and that a report would
   /// contain every row and every case.

@@ -6,8 +6,6 @@
 namespace pelage::planted {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST_F(Planted, EditedScene) {
   take("base");
   folder.edit("own.toml", "fur.length = 0.1", "fur.length = 0.12");

@@ -1,6 +1,5 @@
 // Tests that pelage detects faulty rows: copies, incomplete lines, damaged lines, and changed rows with a
 // new, correct checksum. The first table of docs/results.md lists these tests.
-#include <cmath>
 
 #include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
@@ -9,11 +8,9 @@
 namespace pelage::planted {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST_F(Planted, RowCopiedWithinAJournal) {
   take("base");
-  const std::string text = folder.read(fs::relative(journal(), folder.path()).string());
+  const std::string text = folder.read(fs::relative(journal(), folder.path).string());
   std::ofstream(journal(), std::ios::app | std::ios::binary) << text.substr(0, text.find('\n') + 1);
   expect_unreadable(":3: damaged: second row with the key own|");
 }
@@ -79,7 +76,7 @@ TEST_F(Planted, TornLastLine) {
 
 TEST_F(Planted, FlippedLine) {
   take("base");
-  folder.edit(fs::relative(journal(), folder.path()).string(), "\"wall_ms\":[", "\"wall_ms\":[1");
+  folder.edit(fs::relative(journal(), folder.path).string(), "\"wall_ms\":[", "\"wall_ms\":[1");
   expect_unreadable(":1: damaged: the checksum does not match the row");
 }
 

@@ -13,8 +13,6 @@
 namespace pelage::planted {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int around = 24, across = 12;
 
 /// Returns the vertices of a torus around the y axis. `thickness` is the radius of the tube.
@@ -70,7 +68,7 @@ void write_files(const Folder& folder) {
           std::to_string(points.size() / 3) +
           R"(,"type":"VEC3","min":[-2,-2,-2],"max":[2,2,2]},{"bufferView":1,"componentType":5123,"count":)" +
           std::to_string(faces.size()) + R"(,"type":"SCALAR"}]})");
-  write_picture(folder.path() / "own.png", {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.5F, 0.4F, 0.3F, 1))});
+  write_picture(folder.path / "own.png", {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.5F, 0.4F, 0.3F, 1))});
   folder.write("own.toml", experiment("model = [\"own.obj\", \"buffered.gltf\"]\nsize = [\"320x240\"]",
                                       "fur.layers = 4\ncoat.image = \"own.png\""));
 }

@@ -38,7 +38,7 @@ class Runs : public ::testing::Test {
   Outcome resume(const std::string& options = "", const std::string& environment = "") {
     return cli::pelage(folder, options + " run own.toml --resume results", environment);
   }
-  std::filesystem::path path(const std::string& name) const { return folder.path() / name; }
+  std::filesystem::path path(const std::string& name) const { return folder.path / name; }
   /// Copies the kernel sources into the subfolder `mine`, and replaces `from` by `to` in one of the copied
   /// files.
   void edit_kernel(const std::string& file, const std::string& from, const std::string& to) const;

@@ -11,8 +11,6 @@
 namespace pelage::planted {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A subject draws and times the frames of one case. This class passes all calls to a real subject. Derived
 /// classes override one function to simulate a fault.
 class Faulty : public Subject {
@@ -31,7 +29,7 @@ class Faulty : public Subject {
 /// The constructor of `Fault` gets the real subject and then `arguments`.
 template <class Fault, class... Arguments>
 Row time_faulty(const Folder& folder, Arguments... arguments) {
-  const Experiment own = read_experiment(folder.path() / "own.toml");
+  const Experiment own = read_experiment(folder.path / "own.toml");
   const auto context = make_context(cl::choose_device(""), own, {}, [](const std::string&) {});
   RunPlan plan;
   plan.run_id = "run";
@@ -53,7 +51,7 @@ Row row_with_kernels(const Folder& folder) {
   const Outcome outcome =
       cli::pelage(folder, "--kernels mine run own.toml --filter -4- --mapping tile -o results");
   EXPECT_EQ(outcome.code, 1) << outcome.err;
-  const std::vector<FoundRow> rows = read_results({(folder.path() / "results").string()});
+  const std::vector<FoundRow> rows = read_results({(folder.path / "results").string()});
   EXPECT_EQ(rows.size(), 1U);
   EXPECT_TRUE(rows.front().row.samples.empty());
   return rows.front().row;

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "harness/compare/tolerances.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/portability/elsewhere.hpp"

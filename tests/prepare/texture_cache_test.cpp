@@ -12,8 +12,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 class TextureCache : public ::testing::Test {
  protected:
   TextureCache() {
@@ -31,7 +29,7 @@ class TextureCache : public ::testing::Test {
   }
   fs::path textures() const { return folder_.path / "pelage" / "textures"; }
 
-  TempFolder folder_;
+  test::Folder folder_;
   std::shared_ptr<const Mesh> mesh_ = load_model("square", fresh());
   FurScene fur_;
   CoatScene coat_;

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/error.hpp"
 #include "harness/record/journal.hpp"
 #include "harness/record/results_folder.hpp"
 #include "tests/support/fake.hpp"
@@ -12,10 +11,7 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::sample_row;
-using test::write_text;
+using namespace test;
 
 template <class F>
 std::string refusal_of_call(F&& call) {
@@ -68,7 +64,7 @@ TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
   const Folder folder;
   Row row = sample_row("a");
   row.schema = 4;
-  write_text(folder.path / "j.jsonl", to_line(row) + "\n");
+  folder.write("j.jsonl", to_line(row) + "\n");
   const std::string text = refusal_of_call([&] { read_contents(folder.path / "j.jsonl"); });
   test::expect_has(text, "j.jsonl:1: the row has schema 4");
   test::expect_lacks(text, "delete");

@@ -10,18 +10,13 @@
 #include <cerrno>
 #include <csignal>
 
-#include "harness/error.hpp"
 #include "tests/support/fake.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::sample_row;
-using test::text_of;
-using test::write_text;
+using namespace test;
 
 std::string error_of(const std::function<void()>& action) {
   return test::refusal([&] { action(); }, "");
@@ -262,7 +257,7 @@ TEST(Journal, ARealLimitOnTheFile) {
 
 TEST(Journal, APlaceThatCannotBeWritten) {
   const Folder folder;
-  write_text(folder.path / "file", "x");
+  folder.write("file", "x");
   EXPECT_FALSE(error_of([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }).empty());
   EXPECT_FALSE(error_of([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }).empty());
 }

@@ -15,10 +15,7 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::text_of;
-using test::write_text;
+using namespace test;
 
 const Identity kInputs{
     {"scene", "1111111111111111"}, {"device", "2222222222222222"}, {"kernel a.cl", "3333333333333333"}};

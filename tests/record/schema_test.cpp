@@ -9,8 +9,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Returns the number of lines of `journal` that python3-jsonschema rejects with docs/row.schema.json.
 int refused_lines(const fs::path& journal, const fs::path& folder) {
   const std::string script = R"(

@@ -8,8 +8,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A run of 6 cases in 3 shards. Cases 0 and 3 belong to shard 0, cases 1 and 4 to shard 1, and cases 2 and 5
 /// to shard 2.
 struct FakeRun {

@@ -43,7 +43,7 @@ TEST(Profile, ThePlotIsDrawnFromTheTable) {
   const auto table = folder.path / "t.csv";
   test::write_text(table, csv_of(one_frame(), bandwidth));
   EXPECT_EQ(draw_plot(plot_program("profile"), table, folder.path / "t"), "");
-  const std::string svg = test::text_of(folder.path / "t.svg");
+  const std::string svg = folder.read("t.svg");
   test::expect_has(svg, {">raster<", "between kernels"});
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 
@@ -19,10 +18,7 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::table1_rows;
-using test::text_of;
+using namespace test;
 
 std::string note(const std::string& model) {
   return model == "hippo" ? "stand-in: a pig & 100% so" : "";
@@ -36,9 +32,9 @@ TEST(Csv, PythonReadsIt) {
   rows[1].row.reason = "two\nlines, \"quoted\"";
   rows[2].row.status = Status::error;
   rows[3].row.samples["frame"].cpu_ms = {15.5, 16.5};
-  std::ofstream(folder.path / "phases.csv") << csv_by_phase(rows);
-  std::ofstream(folder.path / "samples.csv") << csv_by_sample(rows);
-  std::ofstream(folder.path / "check.py") << R"(
+  folder.write("phases.csv", csv_by_phase(rows));
+  folder.write("samples.csv", csv_by_sample(rows));
+  folder.write("check.py", R"(
 import csv, sys
 phases = list(csv.DictReader(open(sys.argv[1], newline="")))
 samples = list(csv.DictReader(open(sys.argv[2], newline="")))
@@ -53,7 +49,7 @@ assert (first["model"], first["layers"], first["size"]) == ("torus", "16", "800x
 assert float(first["metric.paper_fps"]) == 267
 assert any(r["reason"] == 'two\nlines, "quoted"' for r in phases)
 assert [r["median_ms"] for r in phases if r["status"] == "error"] == [""]
-)";
+)");
   const std::string command =
       fmt::format("python3 {0}/check.py {0}/phases.csv {0}/samples.csv", folder.path.string());
   EXPECT_EQ(std::system(command.c_str()), 0);
@@ -116,8 +112,8 @@ TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
 
 TEST(Report, APlotThatFailsIsANote) {
   const Folder folder;
-  std::ofstream(folder.path / "none.py") << "raise ModuleNotFoundError(\"No module named 'matplotlib'\")\n";
-  std::ofstream(folder.path / "odd.py") << "raise ValueError('odd')\n";
+  folder.write("none.py", "raise ModuleNotFoundError(\"No module named 'matplotlib'\")\n");
+  folder.write("odd.py", "raise ValueError('odd')\n");
   test::expect_has(draw_plot(folder.path / "none.py", "x", "y"), "matplotlib is not installed");
   test::expect_has(draw_plot(folder.path / "odd.py", "x", "y"), "ValueError: odd");
 }
@@ -125,15 +121,15 @@ TEST(Report, APlotThatFailsIsANote) {
 /// Returns the numbers that label the ticks of a plot of the times 48, 52 and 56 ms of three models.
 std::set<std::string> tick_labels(const std::string& scale) {
   const Folder folder;
-  std::ofstream(folder.path / "t.csv") << "model,median_ms\na,48\nb,52\nc,56\n";
+  folder.write("t.csv", "model,median_ms\na,48\nb,52\nc,56\n");
   PlotSpec plot;
   plot.x = "model";
   plot.y = "median_ms";
   plot.y_scale = scale;
   plot.x_scale = "linear";
-  std::ofstream(folder.path / "t.json") << json_of(plot);
+  folder.write("t.json", json_of(plot));
   EXPECT_EQ(draw_plot(plot_program("plot"), folder.path / "t.csv", folder.path / "t"), "");
-  const std::string svg = text_of(folder.path / "t.svg");
+  const std::string svg = folder.read("t.svg");
   static const std::regex label(">([0-9.]+)</text>");
   std::set<std::string> labels;
   for (std::sregex_iterator found(svg.begin(), svg.end(), label), end; found != end; ++found)
@@ -152,7 +148,7 @@ TEST(Plot, ALogarithmicAxisHasTwoLabels) {
 
 TEST(Report, APlaceThatCannotBeWritten) {
   const Folder folder;
-  std::ofstream(folder.path / "file") << "x";
+  folder.write("file", "x");
   EXPECT_THROW(write_report(table1_rows(), folder.path / "file" / "r", note), InputError);
 }
 

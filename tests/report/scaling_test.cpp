@@ -14,8 +14,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Returns cells with synthetic frame times. The frame time is 1 ms + 40 ns * triangles + 2 ns * triangles *
 /// layers + 10 ns * pixels * layers, multiplied by a factor between 0.99 and 1.01.
 std::vector<Cell> cells() {

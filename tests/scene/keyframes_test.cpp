@@ -164,12 +164,12 @@ TEST(Keyframes, AreInTheHashOfTheScene) {
   EXPECT_NE(first, hash("\"strands.opacity\" = [[0, 1], [2, 0.5]]"));
   EXPECT_EQ(first, hash("\"strands.fraction\" = [[0.0, 1.0], [2.0, 0.5]]"));
   const test::Folder folder;
-  test::write_text(folder.path / "a.png", "1");
+  folder.write("a.png", "1");
   const auto hash_of_file = [&] {
     return hash("\"coat.image\" = [[0, \"" + (folder.path / "a.png").string() + "\"]]");
   };
   const std::string before = hash_of_file();
-  test::write_text(folder.path / "a.png", "2");
+  folder.write("a.png", "2");
   EXPECT_NE(hash_of_file(), before) << "the content of the file counts";
 }
 

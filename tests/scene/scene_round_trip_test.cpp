@@ -19,8 +19,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Returns the name of the first key whose value differs between two scenes; empty if the scenes are equal.
 std::string difference(Scene a, Scene b) {
   const auto first_in = [](const std::vector<Key>& left, const std::vector<Key>& right) -> std::string {

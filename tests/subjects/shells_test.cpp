@@ -26,7 +26,7 @@ struct OneRow {
   Row row;
 
   explicit OneRow(const std::string& pipeline = "shells") {
-    test::write_text(folder.path / "one.toml", small_scene);
+    folder.write("one.toml", small_scene);
     experiment = read_experiment(folder.path / "one.toml");
     const Preset& preset = preset_of(experiment, "quick");
     which = cases_of(experiment, preset).front();

@@ -10,8 +10,6 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::shared_ptr<const FrameInput> small() {
   return std::make_shared<FrameInput>(
       synthetic::frame(synthetic::lively_scene(), synthetic::torus(), 48, 32, 60));
