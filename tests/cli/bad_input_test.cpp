@@ -154,13 +154,13 @@ void expect_all(const Folder& folder, const std::vector<Bad>& list, const std::s
   }
 }
 
-TEST(BadInput, Usage) {
-  const Folder folder;
+struct BadInput : InFolder {};
+
+TEST_F(BadInput, Usage) {
   expect_all(folder, usage);
 }
 
-TEST(BadInput, Scenes) {
-  const Folder folder;
+TEST_F(BadInput, Scenes) {
   folder.write("binary.toml", std::string("\x7f\x45\x4c\x46\0\1\2\3", 8));
   folder.write("half.toml", "[fur]\nlength = ");
   folder.write("twice.toml", "model = 'torus'\nmodel = 'cow'\n");
@@ -171,14 +171,12 @@ TEST(BadInput, Scenes) {
   expect_all(folder, scenes);
 }
 
-TEST(BadInput, Models) {
-  const Folder folder;
+TEST_F(BadInput, Models) {
   folder.write("broken.obj", "this is no mesh\n");
   expect_all(folder, models, "", true);
 }
 
-TEST(BadInput, Meshes) {
-  const Folder folder;
+TEST_F(BadInput, Meshes) {
   folder.write("text.obj", "this is no mesh\n");
   folder.write("empty.off", "OFF\n0 0 0\n");
   folder.write("truncated.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n");
@@ -214,8 +212,7 @@ void write_halves(const Folder& folder) {
                std::string("\xff\xd8\xff\xe0\x00\x10JFIF\x00\x01\x01\x00\x00\x01\x00\x01\x00\x00", 20));
 }
 
-TEST(BadInput, Images) {
-  const Folder folder;
+TEST_F(BadInput, Images) {
   write_halves(folder);
   folder.write("text.png", "this is no picture\n");
   folder.write("text.gif", "this is no picture\n");
@@ -228,13 +225,10 @@ TEST(BadInput, Images) {
   expect_all(folder, images, tiny_picture + "-o a.png ", true);
 }
 
-TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
-  const Folder folder;
+TEST_F(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
   write_picture(folder.path / "coat.png", Picture{1, 1, {{1, 1, 1, 1}}});
   std::filesystem::copy_file(PELAGE_BINARY, folder.path / "alone");
-  const auto alone = [&](const std::string& more) {
-    return pelage(folder, tiny_picture + more, "", "./alone");
-  };
+  const auto alone = [&](const std::string& more) { return pelage(tiny_picture + more, "", "./alone"); };
   EXPECT_EQ(alone("-o a.png").code, 0);
   for (const char* needy : {"-o a.exr", "-o a.tif", "-o a.png --set coat.image=coat.png"})
     expect_refused(alone(needy), "pelage: pelage_image_module.so is missing");
@@ -243,17 +237,15 @@ TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
   expect_refused(alone("-o a.exr"), "pelage: the image module cannot be loaded: ", true);
 }
 
-TEST(BadInput, Outputs) {
-  const Folder folder;
+TEST_F(BadInput, Outputs) {
   std::filesystem::create_directory(folder.path / "folder.png");
   expect_all(folder, outputs, tiny_picture, true);
-  expect_refused(pelage(folder, "scene >/dev/full"), "pelage: standard output cannot be written");
+  expect_refused(pelage("scene >/dev/full"), "pelage: standard output cannot be written");
 }
 
-TEST(BadInput, NoDevice) {
-  const Folder folder;
+TEST_F(BadInput, NoDevice) {
   for (const char* command : {"render -o a.png --model torus", "check", "devices"})
-    expect_refused(pelage(folder, command, "OCL_ICD_VENDORS=" + folder.path.string()), "", false, 3);
+    expect_refused(pelage(command, "OCL_ICD_VENDORS=" + folder.path.string()), "", false, 3);
 }
 
 }  // namespace

@@ -16,23 +16,23 @@
 namespace pelage::cli {
 namespace {
 
-TEST(Commands, HelpAndVersionGoToStdout) {
-  const Folder folder;
-  const Outcome help = done(folder, "--help");
+struct Commands : InFolder {};
+
+TEST_F(Commands, HelpAndVersionGoToStdout) {
+  const Outcome help = done("--help");
   EXPECT_EQ(help.err, "");
   for (const char* command : {"devices", "scene", "render", "check"}) {
     expect_has(help.out, command);
-    expect_has(done(folder, std::string(command) + " --help").out, "Usage: pelage " + std::string(command));
+    expect_has(done(std::string(command) + " --help").out, "Usage: pelage " + std::string(command));
   }
-  expect_has(done(folder, "--version").out, "cite");
+  expect_has(done("--version").out, "cite");
 }
 
-TEST(Commands, ThePrintedSceneReadsBackToItself) {
-  const Folder folder;
-  const Outcome first = done(folder, "scene --set fur.layers=16 --set shading.model=wet --set model=torus");
+TEST_F(Commands, ThePrintedSceneReadsBackToItself) {
+  const Outcome first = done("scene --set fur.layers=16 --set shading.model=wet --set model=torus");
   EXPECT_EQ(first.err, "");
   folder.write("written.toml", first.out);
-  const Outcome second = pelage(folder, "scene written.toml");
+  const Outcome second = pelage("scene written.toml");
   EXPECT_EQ(second.out, first.out);
   expect_has(second.out, "\nlayers = 16 ");
 }
@@ -74,26 +74,23 @@ std::vector<glm::dvec3> vectors(const Dataset& data) {
 
 using Shape = std::vector<hsize_t>;
 
-TEST(Commands, AnExampleSceneHasAName) {
-  const Folder folder;
-  const std::string by_path = pelage(folder, "scene '" PELAGE_SOURCE_DIR "/examples/wet-curls.toml'").out;
+TEST_F(Commands, AnExampleSceneHasAName) {
+  const std::string by_path = pelage("scene '" PELAGE_SOURCE_DIR "/examples/wet-curls.toml'").out;
   expect_has(by_path, "[fur]");
   for (const char* name : {"wet-curls", "wet-curls.toml"})
-    EXPECT_EQ(pelage(folder, std::string("scene ") + name).out, by_path) << name;
-  const Outcome turned = pelage(folder, "scene wet-curls --model mine.obj --up z");
-  expect_has(turned.out, "/mine.obj\"");
-  expect_has(turned.out, "up = \"z\"");
+    EXPECT_EQ(pelage(std::string("scene ") + name).out, by_path) << name;
+  const Outcome turned = pelage("scene wet-curls --model mine.obj --up z");
+  expect_has(turned.out, {"/mine.obj\"", "up = \"z\""});
   folder.write("wet-curls", "fur.layers = 7\n");
-  expect_has(pelage(folder, "scene wet-curls").out,
+  expect_has(pelage("scene wet-curls").out,
              "layers = 7");  // a file of the user comes before an example
 }
 
-TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
-  const Folder folder;
-  done(folder,
-       "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
-       "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
-       "frame.h5");
+TEST_F(Commands, TheDumpHoldsAFrameThatFitsTogether) {
+  done(
+      "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
+      "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
+      "frame.h5");
   const hid_t file = H5Fopen((folder.path / "frame.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   ASSERT_GE(file, 0);
   for (const char* name :
@@ -171,14 +168,13 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   H5Fclose(file);
 }
 
-TEST(Commands, ShellsAndReferenceDrawTheSamePicture) {
-  const Folder folder;
+TEST_F(Commands, ShellsAndReferenceDrawTheSamePicture) {
   const std::string scene =
       "render --model torus --size 80x60 --set fur.layers=8 --set curl.radius=0.02 --set curl.turns=2 ";
   for (const char* rest :
        {"-o tile.exr", "-o pixel.exr --mapping pixel", "-o reference.exr --pipeline reference",
         "-o eight.exr --pipeline reference --reference-bits 8"}) {
-    const Outcome outcome = done(folder, scene + rest);
+    const Outcome outcome = done(scene + rest);
     EXPECT_EQ(outcome.out, "");
   }
   const Picture reference = read_picture(folder.path / "reference.exr");
@@ -190,17 +186,14 @@ TEST(Commands, ShellsAndReferenceDrawTheSamePicture) {
   EXPECT_GT(eight.psnr, 30.0);
 }
 
-TEST(Commands, ListNamesThePaperAndItsTableWhereThereIsOne) {
-  const Folder folder;
-  const std::string list = done(folder, "list").out;
-  expect_has(list, "(silva2010-curling-clumping, Table 1)\n");
-  expect_has(list, "(banisch2006-grass-and-fur)\n");
+TEST_F(Commands, ListNamesThePaperAndItsTableWhereThereIsOne) {
+  const std::string list = done("list").out;
+  expect_has(list, {"(silva2010-curling-clumping, Table 1)\n", "(banisch2006-grass-and-fur)\n"});
   for (const char* empty : {", )", "(, ", "()"}) EXPECT_FALSE(has(list, empty)) << list;
 }
 
-TEST(Commands, ARowSaysHowManyPixelsAreFlipped) {
-  const Folder folder;
-  done(folder, "run silva2010-table1 --preset smoke --filter torus-16 -o out");
+TEST_F(Commands, ARowSaysHowManyPixelsAreFlipped) {
+  done("run silva2010-table1 --preset smoke --filter torus-16 -o out");
   const std::string rows = folder.read(journal_in(folder, "out"));
   expect_has(rows, R"({"against":"reference","metric":"flips","value":)");
   for (const char* metric : {R"("flips":{"value":)", R"("psnr_without_flips":{"value":)",
@@ -208,36 +201,32 @@ TEST(Commands, ARowSaysHowManyPixelsAreFlipped) {
     expect_has(rows, metric);
 }
 
-TEST(Commands, CheckComparesOneStage) {
-  const Folder folder;
-  const Outcome outcome = done(folder, "check simulate mask --filter torus");
-  expect_has(outcome.out, "simulate");
-  expect_has(outcome.out, "mask");
+TEST_F(Commands, CheckComparesOneStage) {
+  const Outcome outcome = done("check simulate mask --filter torus");
+  expect_has(outcome.out, {"simulate", "mask"});
   expect_lacks(outcome.out, {"picture", "FAILED"});
 }
 
-TEST(Commands, CheckDrawsFirstWithTheDefaultMappingOfTheDevice) {
+TEST_F(Commands, CheckDrawsFirstWithTheDefaultMappingOfTheDevice) {
   // The check names the mapping of each comparison of pictures. A device with one lane per work-item must not
   // be asked for the mapping `tile`.
-  const Folder folder;
-  const Outcome all = done(folder, "check picture mappings --filter 'torus.*curly'", "PELAGE_LANES=1");
+  const Outcome all = done("check picture mappings --filter 'torus.*curly'", "PELAGE_LANES=1");
   const auto group = all.out.find(", group"), pixel = all.out.find(", pixel");
   EXPECT_LT(group, pixel) << all.out;
   EXPECT_NE(pixel, std::string::npos) << all.out;
   expect_lacks(all.out, "tile");
-  const Outcome one = done(folder, "check picture --mapping pixel --filter 'torus.*curly'", "PELAGE_LANES=1");
+  const Outcome one = done("check picture --mapping pixel --filter 'torus.*curly'", "PELAGE_LANES=1");
   expect_has(one.out, ", pixel");
   expect_lacks(one.out, "group");
-  expect_refused(pelage(folder, "check picture --mapping tile", "PELAGE_LANES=1"), "mapping 'tile': on ");
+  expect_refused(pelage("check picture --mapping tile", "PELAGE_LANES=1"), "mapping 'tile': on ");
 }
 
-TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
-  const Folder folder;
+TEST_F(Commands, CheckFailsOnKernelsThatAreWrong) {
   std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels",
                         std::filesystem::copy_options::recursive);
   // The test inserts a mistake into a copy of the kernels: it halves the wetness of all droplets.
   folder.edit("kernels/wet/equations.clh", ": drop.wetness;", ": 0.5f * drop.wetness;");
-  const Outcome outcome = pelage(folder, "--kernels kernels check mask --filter 'torus.*wet'");
+  const Outcome outcome = pelage("--kernels kernels check mask --filter 'torus.*wet'");
   EXPECT_EQ(outcome.code, 1) << outcome.out << outcome.err;
   expect_has(outcome.out, "FAILED");
 }

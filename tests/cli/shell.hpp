@@ -22,17 +22,24 @@ struct Outcome {
   std::string arguments;  ///< of the command, for the messages of failed tests
 };
 
+/// Runs a shell command in the folder, whose files `stdout` and `stderr` get its output. Returns its exit
+/// code, which is 128 + n if the signal n ended it.
+inline int shell(const Folder& folder, const std::string& command) {
+  // The option detect_leaks=0 switches off the leak check, because the OpenCL libraries leak memory.
+  // AddressSanitizer still reports other memory errors.
+  const int status =
+      std::system(fmt::format("cd '{}' && export ASAN_OPTIONS=detect_leaks=0 && {{\n{}\n}} >stdout 2>stderr",
+                              folder.path.string(), command)
+                      .c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 /// Runs pelage inside the folder for at most 300 s. `arguments` is a text that the shell splits into
 /// arguments. `environment` contains assignments such as "A=1 B=2".
 inline Outcome pelage(const Folder& folder, const std::string& arguments, const std::string& environment = "",
                       const std::string& binary = PELAGE_BINARY) {
-  // The option detect_leaks=0 switches off the leak check, because the OpenCL libraries leak memory.
-  // AddressSanitizer still reports other memory errors.
-  const std::string command = "cd '" + folder.path.string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
-                              environment + " timeout 300 '" + binary + "' >stdout 2>stderr " + arguments;
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder.read("stdout"),
-          folder.read("stderr"), arguments.substr(0, 200)};
+  const int code = shell(folder, environment + " timeout 300 '" + binary + "' " + arguments);
+  return {code, folder.read("stdout"), folder.read("stderr"), arguments.substr(0, 200)};
 }
 
 /// Runs pelage, which must succeed. Otherwise the test ends, because this function throws the messages.
@@ -43,6 +50,19 @@ inline Outcome done(const Folder& folder, const std::string& arguments, const st
         fmt::format("{}: code {}\n{}{}", outcome.arguments, outcome.code, outcome.out, outcome.err));
   return outcome;
 }
+
+/// A test that runs pelage in a temporary folder of its own.
+struct InFolder : ::testing::Test {
+  int shell(const std::string& command) const { return cli::shell(folder, command); }
+  Outcome pelage(const std::string& arguments, const std::string& environment = "",
+                 const std::string& binary = PELAGE_BINARY) const {
+    return cli::pelage(folder, arguments, environment, binary);
+  }
+  Outcome done(const std::string& arguments, const std::string& environment = "") const {
+    return cli::done(folder, arguments, environment);
+  }
+  const Folder folder;
+};
 
 /// Expects that pelage refused its input: it ended with `code`, and its only message, the last line on
 /// stderr, contains `text`. If `steps` is true, warnings and lines about the preparation of a mesh may

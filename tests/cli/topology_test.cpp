@@ -15,15 +15,16 @@ std::string row_of(const std::string& text, const std::string& name) {
   return std::regex_search(text, found, row) ? found[2].str() + " " + found[3].str() : "";
 }
 
-TEST(TopologyCommand, CountsThePapersModels) {
-  const Folder folder;
-  const Outcome grass = done(folder, "topology banisch-grass");
+struct TopologyCommand : InFolder {};
+
+TEST_F(TopologyCommand, CountsThePapersModels) {
+  const Outcome grass = done("topology banisch-grass");
   expect_has(grass.out, "13 surface points");
   EXPECT_EQ(row_of(grass.out, "sticks"), "26 13");
   EXPECT_EQ(row_of(grass.out, "prisms"), "26 41");
   EXPECT_EQ(row_of(grass.out, "separable-sticks"), "96 48");
   EXPECT_EQ(row_of(grass.out, "separable-prisms"), "96 96");
-  const Outcome elephant = done(folder, "topology banisch-elephant");
+  const Outcome elephant = done("topology banisch-elephant");
   EXPECT_EQ(row_of(elephant.out, "separable-prisms"), "6888 6888");
   EXPECT_EQ(row_of(elephant.out, "separable-sticks"), "6888 3444");
   EXPECT_NE(row_of(elephant.out, "sticks on vertex copies"), "");
@@ -35,7 +36,7 @@ TEST(TopologyCommand, CountsThePapersModels) {
   EXPECT_TRUE(ends_with("sticks", "1247 / 623")) << elephant.out;
   EXPECT_TRUE(ends_with("separable-prisms", "6888 / 6888")) << elephant.out;
   expect_lacks(grass.out, "the paper");
-  expect_lacks(pelage(folder, "topology banisch-elephant --faces 1146").out, "1247");
+  expect_lacks(pelage("topology banisch-elephant --faces 1146").out, "1247");
 }
 
 std::size_t count_of(const std::string& text, const std::string& word) {
@@ -46,9 +47,8 @@ std::size_t count_of(const std::string& text, const std::string& word) {
 
 // The drawing has one panel for each of the four topologies. The test counts the SVG elements. Each panel
 // must contain every triangle of the mesh once, and every mass and spring of its topology once.
-TEST(TopologyCommand, DrawsWhatItCounts) {
-  const Folder folder;
-  done(folder, "topology banisch-grass --draw grass.svg --length 0.4");
+TEST_F(TopologyCommand, DrawsWhatItCounts) {
+  done("topology banisch-grass --draw grass.svg --length 0.4");
   const std::string svg = folder.read("grass.svg");
   EXPECT_TRUE(svg.starts_with("<svg ")) << svg.substr(0, 40);
   EXPECT_TRUE(svg.ends_with("</svg>\n"));

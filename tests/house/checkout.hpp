@@ -9,6 +9,7 @@
 namespace pelage::house {
 
 using test::expect_has;
+using test::expect_lacks;
 using test::has;
 
 class Checkout : public ::testing::Test {

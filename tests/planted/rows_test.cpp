@@ -36,14 +36,14 @@ TEST_F(Planted, CopyThatClaimsToBeAnotherRun) {
   take("base");
   take("base", "copy");
   reseal([](Row& row) { row.run_id += "1", row.repeat = 1; }, "copy");
-  refused(cli::pelage(folder, "export results copy"), "their 6 frame times are equal");
+  refused(pelage("export results copy"), "their 6 frame times are equal");
 }
 
 TEST_F(Planted, CopyWithChangedTimes) {
   take("base");
   take("base", "copy");
   reseal(slow_down, "copy");
-  refused(cli::pelage(folder, "export results copy"), "but the two rows differ");
+  refused(pelage("export results copy"), "but the two rows differ");
 }
 
 TEST_F(Planted, RowOfAnotherCase) {
@@ -65,12 +65,11 @@ TEST_F(Planted, TornLastLine) {
   EXPECT_EQ(results.rows.size(), 1U);
   ASSERT_EQ(results.left_out.size(), 1U);
   expect_has(results.left_out.front().reason, "is not complete");
-  expect_has(cli::pelage(folder, "export results").err, "is not complete");
-  done(folder, "report results -o page");
+  expect_has(pelage("export results").err, "is not complete");
+  done("report results -o page");
   for (const char* file :
        {"stdout", "page/tables/left-out.csv", "page/tables/left-out.tex", "page/index.html"}) {
-    expect_has(folder.read(file), "is not complete");
-    expect_has(folder.read(file), "cases without a row: 1 of 2");
+    expect_has(folder.read(file), {"is not complete", "cases without a row: 1 of 2"});
   }
 }
 

@@ -68,7 +68,7 @@ void write_files(const Folder& folder) {
           std::to_string(points.size() / 3) +
           R"(,"type":"VEC3","min":[-2,-2,-2],"max":[2,2,2]},{"bufferView":1,"componentType":5123,"count":)" +
           std::to_string(faces.size()) + R"(,"type":"SCALAR"}]})");
-  write_picture(folder.path / "own.png", {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.5F, 0.4F, 0.3F, 1))});
+  write_red(folder.path / "own.png", 0.5F);
   folder.write("own.toml", experiment("model = [\"own.obj\", \"buffered.gltf\"]\nsize = [\"320x240\"]",
                                       "fur.layers = 4\ncoat.image = \"own.png\""));
 }
@@ -83,7 +83,7 @@ const Folder& made(const std::string& run) {
     write_files(*folder);
   else
     folder->write("own.toml", base_experiment(run == "other" ? "0.12" : "0.1"));
-  done(*folder, "run own.toml -o results");
+  cli::done(*folder, "run own.toml -o results");
   return *folder;
 }
 
@@ -94,7 +94,7 @@ std::string base_experiment(const std::string& length) {
 }
 
 void Runs::take(const std::string& run, const std::string& results) {
-  for (const auto& entry : fs::directory_iterator(made(run).path()))
+  for (const auto& entry : fs::directory_iterator(made(run).path))
     fs::copy(entry.path(),
              path(entry.path().filename() == "results" ? results : entry.path().filename().string()),
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
@@ -142,9 +142,13 @@ void Runs::expect_apart(const std::function<void(Row&)>& change, const std::stri
 }
 
 void Runs::expect_unreadable(const std::string& text) {
-  refused(cli::pelage(folder, "export results"), text);
-  refused(cli::pelage(folder, "report results -o page"), text);
+  refused(pelage("export results"), text);
+  refused(pelage("report results -o page"), text);
   refused(resume(), text);
+}
+
+void write_red(const fs::path& file, float red) {
+  write_picture(file, {2, 2, std::vector<glm::vec4>(4, glm::vec4(red, 0.4F, 0.3F, 1))});
 }
 
 void slow_down(Row& row) {

@@ -13,13 +13,7 @@
 
 namespace pelage::planted {
 
-using cli::done;
-using cli::expect_has;
-using cli::experiment;
-using cli::Folder;
-using cli::has;
-using cli::of_torus;
-using cli::Outcome;
+using namespace cli;
 
 /// Returns the experiment of the run "base": two cases, which draw a torus with 4 and with 8 layers of fur in
 /// wind. `length` is the length of the fur.
@@ -31,12 +25,11 @@ std::string base_experiment(const std::string& length = "0.1");
 /// - other: base_experiment("0.12"), with longer fur
 /// - files: an experiment with the mesh files own.obj and buffered.gltf (buffer: own.bin) and the texture
 ///   own.png
-class Runs : public ::testing::Test {
- protected:
+struct Runs : InFolder {
   /// Copies the run into the folder. Its results are copied into a subfolder with the name `results`.
   void take(const std::string& run, const std::string& results = "results");
   Outcome resume(const std::string& options = "", const std::string& environment = "") {
-    return cli::pelage(folder, options + " run own.toml --resume results", environment);
+    return pelage(options + " run own.toml --resume results", environment);
   }
   std::filesystem::path path(const std::string& name) const { return folder.path / name; }
   /// Copies the kernel sources into the subfolder `mine`, and replaces `from` by `to` in one of the copied
@@ -55,17 +48,18 @@ class Runs : public ::testing::Test {
 
   /// Expects that every command that reads the results refuses them, with a message that contains `text`.
   void expect_unreadable(const std::string& text);
-
-  Folder folder;
 };
 
 /// The test suite for the first table of docs/results.md.
-class Planted : public Runs {};
+struct Planted : Runs {};
 
 /// Expects that pelage refused its input. Lines about the preparation of a mesh may precede the message.
 inline void refused(const Outcome& outcome, const std::string& text) {
-  cli::expect_refused(outcome, text, true);
+  expect_refused(outcome, text, true);
 }
+
+/// Writes a picture of 2 x 2 pixels with this amount of red.
+void write_red(const std::filesystem::path& file, float red);
 
 /// Makes the times of the row's frames 1.5 times as long.
 void slow_down(Row& row);

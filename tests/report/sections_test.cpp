@@ -126,8 +126,7 @@ TEST(CaseSection, HasEveryCaseOfOwnAxes) {
   const auto all = sections(rows);
   ASSERT_EQ(all.size(), 1u);
   const std::string text = text_of(all[0].table);
-  for (const char* time : {"10.0 [", "20.0 [", "30.0 [", "40.0 [", "50.0 [", "60.0 ["})
-    test::expect_has(text, time);
+  test::expect_has(text, {"10.0 [", "20.0 [", "30.0 [", "40.0 [", "50.0 [", "60.0 ["});
   EXPECT_NE(text.find("0.05"), std::string::npos) << "numbers appear as they were written";
   ASSERT_EQ(all[0].plots.size(), 1u);
   const PlotSpec& plot = all[0].plots[0];
