@@ -10,15 +10,13 @@ namespace {
 
 cl::DeviceInfo device(int platform_index, int device_index, const char* platform, const char* suffix,
                       const char* name, bool gpu) {
-  cl::DeviceInfo info;
-  info.platform_index = platform_index;
-  info.device_index = device_index;
-  info.platform = platform;
-  info.platform_suffix = suffix;
-  info.name = name;
-  info.gpu = gpu;
-  info.cpu = !gpu;
-  return info;
+  return {.platform_suffix = suffix,
+          .platform = platform,
+          .name = name,
+          .platform_index = platform_index,
+          .device_index = device_index,
+          .gpu = gpu,
+          .cpu = !gpu};
 }
 
 // The devices of an imaginary workstation: PoCL, two equal GPUs and Mesa's rusticl. Platform 1 has no

@@ -215,11 +215,7 @@ void draw_tiny(strands::Drawing mapping) {
   scene.look.rim = glm::vec3(0.1f);
   scene.look.segments = 3;
   scene.skin = std::make_shared<strands::SkinSurface>(tiny_skin());
-  strands::DrawerOptions options;
-  options.mapping = mapping;
-  options.runs = 2;
-  options.chunks = 2;
-  options.tile = 16;
+  strands::DrawerOptions options{.mapping = mapping, .runs = 2, .chunks = 2, .tile = 16};
   std::vector<strands::KeyedStrand> keyed = ball.strands;
   keyed.front().curvature = 20;
   strands::Drawer drawer(queue, scene, keyed, ball.keys.size(), options);
