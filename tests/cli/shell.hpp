@@ -52,7 +52,7 @@ inline Outcome done(const Folder& folder, const std::string& arguments, const st
 }
 
 /// A test that runs pelage in a temporary folder of its own.
-struct InFolder : ::testing::Test {
+struct InFolder : test::InFolder {
   int shell(const std::string& command) const { return cli::shell(folder, command); }
   Outcome pelage(const std::string& arguments, const std::string& environment = "",
                  const std::string& binary = PELAGE_BINARY) const {
@@ -61,7 +61,6 @@ struct InFolder : ::testing::Test {
   Outcome done(const std::string& arguments, const std::string& environment = "") const {
     return cli::done(folder, arguments, environment);
   }
-  const Folder folder;
 };
 
 /// Expects that pelage refused its input: it ended with `code`, and its only message, the last line on

@@ -126,8 +126,9 @@ void expect_octahedron(const std::string& file) {
   EXPECT_EQ(uv_quality(*mesh, 256).flipped_faces, 0u) << file;
 }
 
-TEST(Formats, every_one_is_read) {
-  const test::Folder folder;
+struct Formats : test::InFolder {};
+
+TEST_F(Formats, every_one_is_read) {
   expect_octahedron(folder.write("octa.obj", "# comment\no octa\n" + corners("v ") + faces("f", 1)));
   expect_octahedron(folder.write("octa.off", "OFF\n6 8 0\n\n" + corners("") + "# comment\n" + faces("3", 0)));
   expect_octahedron(folder.write("ascii.ply", ply(false)));
@@ -138,15 +139,13 @@ TEST(Formats, every_one_is_read) {
   expect_octahedron(folder.write("octa.gltf", gltf(folder)));
 }
 
-TEST(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {
-  const test::Folder folder;
+TEST_F(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {
   expect_octahedron(folder.write("OCTA.OBJ", "mtllib a.mtl\n" + corners("v ") +
                                                  "vn 0 0 1\nusemtl a\ns off\nl 1 2\n" + "f 1/1/1 3//1 5\n" +
                                                  faces("f", 1).substr(8)));
 }
 
-TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
-  const test::Folder folder;
+TEST_F(Formats, an_obj_keeps_its_own_map_when_asked_to) {
   const std::string file = folder.write("quad.obj",
                                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt "
                                         "0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n");
@@ -159,8 +158,7 @@ TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
   EXPECT_EQ(std::count(made->uv.begin(), made->uv.end(), glm::vec2(0.25f, 0.25f)), 0);
 }
 
-TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
-  const test::Folder folder;
+TEST_F(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
   const auto message = [](const std::string& name) {
     return test::refusal([&] { load_model(name, fresh({}, true)); });
   };
@@ -174,8 +172,7 @@ TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
   EXPECT_EQ(message("torus").substr(0, 19), "torus: is no file, ");
 }
 
-TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
-  const test::Folder folder;
+TEST_F(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
   const std::string file = folder.write(
       "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 3 0\nvt 3 2\nvt 0 2\nf 1/1 2/2 3/3 4/4\n");
   const auto kept = load_model(file, fresh({}, true));
@@ -186,8 +183,7 @@ TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
 
 // Each file contains one triangle. The texture coordinates of its corners coincide or lie on a line, so the
 // UV map has no area.
-TEST(Formats, a_map_without_an_area_is_not_kept) {
-  const test::Folder folder;
+TEST_F(Formats, a_map_without_an_area_is_not_kept) {
   for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 0\nvt 0.25 0\n",
                          "vt 5 5\nvt 5 5\nvt 5 5\n", "vt 1e200 0\nvt 1e200 0\nvt 1e200 0\n"}) {
     const std::string file =
@@ -197,8 +193,7 @@ TEST(Formats, a_map_without_an_area_is_not_kept) {
   }
 }
 
-TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
-  const test::Folder folder;
+TEST_F(Formats, what_can_be_repaired_is_and_it_is_said) {
   // The file has two components. The larger one has a flipped face, a missing face and a duplicate face.
   std::string text = corners("v ") + faces("f", 1);
   text.replace(text.find("f 1 3 5"), 7, "f 3 1 5");

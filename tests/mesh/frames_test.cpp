@@ -55,7 +55,9 @@ std::string refusal_of_frames(const test::Folder& folder, const std::string& fir
   });
 }
 
-TEST(MeshFrames, FilesCountUp) {
+struct MeshFrames : test::InFolder {};
+
+TEST_F(MeshFrames, FilesCountUp) {
   EXPECT_EQ(frame_file("walk/a-0009.obj", 0), "walk/a-0009.obj");
   EXPECT_EQ(frame_file("walk/a-0009.obj", 1), "walk/a-0010.obj");
   EXPECT_EQ(frame_file("walk2/a9.final.ply", 2), "walk2/a11.final.ply");
@@ -64,8 +66,7 @@ TEST(MeshFrames, FilesCountUp) {
   EXPECT_THROW(frame_file("walk3/a.obj", 1), InputError);
 }
 
-TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
-  const test::Folder folder;
+TEST_F(MeshFrames, HaveThePlacementOfTheFirstFrame) {
   for (int frame = 0; frame < 3; ++frame)
     folder.write(fmt::format("ring{}.obj", frame), torus([&](glm::dvec3 p) { return bent(p, frame); }));
   MeshOptions options = fresh();
@@ -88,8 +89,7 @@ TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
 }
 
 // Exporters print small negative numbers as -0.
-TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
-  const test::Folder folder;
+TEST_F(MeshFrames, MayHavePointsWithNegativeZeros) {
   const Move centred = [](glm::dvec3 p) {
     p -= glm::dvec3(30, -5, 11);
     for (int k = 0; k < 3; ++k)
@@ -101,9 +101,8 @@ TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
   EXPECT_EQ(refusal_of_frames(folder, "z1.obj", 2), "accepted");
 }
 
-TEST(MeshFrames, ThatDoNotMatchAreRefused) {
+TEST_F(MeshFrames, ThatDoNotMatchAreRefused) {
   const Move still = [](glm::dvec3 p) { return p; };
-  const test::Folder folder;
   folder.write("a1.obj", torus(still));
   test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "a2.obj");
   folder.write("a2.obj", torus(still, 2 * around * along - 1));
@@ -125,8 +124,7 @@ TEST(MeshFrames, ThatDoNotMatchAreRefused) {
 
 // Small holes are filled, and the points of the faces that fill them come from the file. A part that the
 // preparation drops makes the box of the file larger than that of the mesh.
-TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
-  const test::Folder folder;
+TEST_F(MeshFrames, PartsThatThePreparationDropsAreRefused) {
   const auto with_speck = [](const std::string& text) {
     const std::size_t faces = text.find('f');
     const int points = around * along;

@@ -36,8 +36,9 @@ std::string refusal_of(const std::string& file) {
   return test::refusal([&] { load_model(file, fresh()); });
 }
 
-TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
-  const test::Folder folder;
+struct OutsideFiles : test::InFolder {};
+
+TEST_F(OutsideFiles, AreThoseThatTheGltfFileNames) {
   folder.write("a b.bin", buffer(1));
   EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20b.bin"))),
             std::vector<fs::path>{folder.path / "a b.bin"});
@@ -52,8 +53,7 @@ TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
   EXPECT_EQ(detail::gltf_files(folder.write("d.glb", binary)).size(), 1u);
 }
 
-TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
-  const test::Folder folder;
+TEST_F(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
   fs::create_directory(folder.path / "inner");
   folder.write("outside.bin", buffer(1));
   ASSERT_EQ(::mkfifo((folder.path / "pipe").c_str(), 0600), 0);
@@ -71,8 +71,7 @@ TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
 }
 
 // After a buffer file has changed, the cache must not return the old mesh.
-TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
-  const test::Folder folder;
+TEST_F(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   folder.write("a.bin", buffer(1));
   const std::string file = folder.write("a.gltf", gltf_with("a.bin"));
@@ -83,8 +82,7 @@ TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
   ::unsetenv("XDG_CACHE_HOME");
 }
 
-TEST(OutsideFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
-  const test::Folder folder;
+TEST_F(OutsideFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
   const std::string obj = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   const std::string plain = folder.write("a.obj", obj), marked = folder.write("b.obj", "\xef\xbb\xbf" + obj);
   EXPECT_EQ(load_model(marked, fresh())->position, load_model(plain, fresh())->position);

@@ -42,9 +42,10 @@ void write_pattern(const fs::path& file, int width, int height) {
   write_picture(file, picture);
 }
 
+struct Page : test::InFolder {};
+
 /// HTML code in the results is escaped, both in the page and in the data for its scripts.
-TEST(Page, HostileNamesAreText) {
-  const Folder folder;
+TEST_F(Page, HostileNamesAreText) {
   const std::string hostile = "</script><img src=x onerror=alert(1)>\"'<!--";
   std::vector<FoundRow> rows = test::table1_rows();
   rows.resize(2);
@@ -75,8 +76,7 @@ TEST(Page, HostileNamesAreText) {
 }
 
 /// The policy forbids network access, and permits only scripts that have the page's nonce.
-TEST(Page, ThePolicyNamesEveryScript) {
-  const Folder folder;
+TEST_F(Page, ThePolicyNamesEveryScript) {
   const std::string page = page_of(write_reports(test::table1_rows(), folder.path, no_note), {});
   test::expect_has(page, "default-src 'none'");
   test::expect_lacks(page, "script-src 'unsafe-inline'");
@@ -85,8 +85,7 @@ TEST(Page, ThePolicyNamesEveryScript) {
 }
 
 /// The tables of the page refer to every cell by its index, and each cell to its rows.
-TEST(Page, CellsLeadToRows) {
-  const Folder folder;
+TEST_F(Page, CellsLeadToRows) {
   std::vector<FoundRow> rows = test::table1_rows();
   std::vector<FoundRow> repeated = rows;
   for (FoundRow& found : repeated) found.row.repeat = 1;
@@ -109,8 +108,7 @@ TEST(Page, CellsLeadToRows) {
 }
 
 /// The summary names cases without times only if there are such cases.
-TEST(Page, TheSummaryCountsTheCasesWithoutTimes) {
-  const Folder folder;
+TEST_F(Page, TheSummaryCountsTheCasesWithoutTimes) {
   std::vector<FoundRow> rows = test::table1_rows();
   const std::string all = page_of(write_reports(rows, folder.path, no_note), {});
   test::expect_has(all, "32 cases. All of them are ok");
@@ -121,8 +119,7 @@ TEST(Page, TheSummaryCountsTheCasesWithoutTimes) {
 }
 
 /// Rows of the same cases that were measured with another mesh are a second set of results on one page.
-TEST(Page, OnePageHasAllSets) {
-  const Folder folder;
+TEST_F(Page, OnePageHasAllSets) {
   std::vector<FoundRow> rows = test::table1_rows(), others = test::table1_rows(2);
   for (FoundRow& found : others) {
     found.journal = "other.jsonl";
@@ -141,8 +138,7 @@ TEST(Page, OnePageHasAllSets) {
 }
 
 /// A plot is a part of the page. Its points have texts with their values, which a browser shows as tooltips.
-TEST(Page, PlotsHaveTheirValues) {
-  const Folder folder;
+TEST_F(Page, PlotsHaveTheirValues) {
   const std::vector<Report> reports = write_reports(test::table1_rows(), folder.path, no_note);
   if (reports[0].plots.empty()) GTEST_SKIP() << "matplotlib is not installed";
   const std::string body = body_of(reports, {});
@@ -156,8 +152,7 @@ TEST(Page, PlotsHaveTheirValues) {
 
 /// page_pictures() reduces the width of the pictures until their total size is within the limit, and leaves
 /// pictures out only if it is too large even at the smallest width.
-TEST(Page, PicturesAreReducedToTheLimit) {
-  const Folder folder;
+TEST_F(Page, PicturesAreReducedToTheLimit) {
   std::vector<FoundRow> rows = test::table1_rows();
   const fs::path journal = folder.path / "results" / "silva2010-table1" / "test_device@h.jsonl";
   fs::create_directories(journal.parent_path() / "images");
@@ -193,8 +188,7 @@ TEST(Page, PicturesAreReducedToTheLimit) {
   EXPECT_EQ(count(body, "src=\"data:image/webp;base64,"), 3u);
 }
 
-TEST(Page, APlaceThatCannotBeWritten) {
-  const Folder folder;
+TEST_F(Page, APlaceThatCannotBeWritten) {
   EXPECT_THROW(write_page({}, folder.path / "none" / "index.html"), InputError);
 }
 

@@ -13,11 +13,6 @@ namespace {
 
 using namespace test;
 
-template <class F>
-std::string refusal_of_call(F&& call) {
-  return test::refusal([&] { call(); }, "");
-}
-
 TEST(Identity, DifferencesNameEveryPartOnce) {
   const Identity a{{"mesh", "1111111111111111"}, {"scene", "2222222222222222"}, {"kernel a.cl", "3"}};
   const Identity b{{"mesh", "1111111111111111"}, {"scene", "4444444444444444"}, {"kernel b.cl", "3"}};
@@ -47,48 +42,15 @@ TEST(Identity, ARowKeepsItsIdentityAndItsSchema) {
   EXPECT_EQ(old.schema, 1);
   EXPECT_TRUE(old.identity.empty());
   row.schema = 4;
-  test::expect_has(refusal_of_call([&] { row_from_line(to_line(row)); }), "schema 4");
+  expect_has(refusal([&] { row_from_line(to_line(row)); }), "schema 4");
 }
 
 TEST(Identity, ARowThatContradictsItsChecksIsRefused) {
   Row row = sample_row("a");
   row.check.push_back({"reference", "flips", 0.5, 0.001, false});
-  test::expect_has(refusal_of_call([&] { row_from_line(to_line(row)); }), "its check flips");
+  expect_has(refusal([&] { row_from_line(to_line(row)); }), "its check flips");
   row.check.clear();
-  test::expect_has(refusal_of_call([&] { row_from_line(to_line(row)); }), "nothing was checked");
-}
-
-// A row that a newer version of pelage wrote is not damaged. The error message must not advise the user to
-// delete it.
-TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
-  const Folder folder;
-  Row row = sample_row("a");
-  row.schema = 4;
-  folder.write("j.jsonl", to_line(row) + "\n");
-  const std::string text = refusal_of_call([&] { read_contents(folder.path / "j.jsonl"); });
-  test::expect_has(text, "j.jsonl:1: the row has schema 4");
-  test::expect_lacks(text, "delete");
-}
-
-TEST(Journal, AFailedCaseRunsAgain) {
-  const Folder folder;
-  const fs::path file = folder.path / "j.jsonl";
-  Row failed = sample_row("a");
-  failed.status = Status::error;
-  failed.reason = "disk full";
-  failed.samples.clear();
-  {
-    Journal journal(file, Journal::Mode::fresh);
-    journal.append(failed);
-    EXPECT_FALSE(journal.holds(row_key(failed)));
-    journal.append(failed);
-    journal.append(sample_row("a"));
-    EXPECT_TRUE(journal.holds(row_key(failed)));
-    EXPECT_NE(refusal_of_call([&] { journal.append(failed); }), "");
-  }
-  const std::vector<Row> rows = read_contents(file).rows;
-  ASSERT_EQ(rows.size(), 1u);
-  EXPECT_EQ(rows.front().status, Status::ok);
+  expect_has(refusal([&] { row_from_line(to_line(row)); }), "nothing was checked");
 }
 
 TEST(Results, ACopiedRowCountsOnceAndNamesItsCopies) {
@@ -108,8 +70,8 @@ TEST(Results, TwoRowsOfOneMeasurementThatDifferAreRefused) {
   changed.samples["frame"].wall_ms.front() /= 2;
   write_text(one, to_line(sample_row("a")) + "\n");
   write_text(two, to_line(changed) + "\n");
-  const std::string text = refusal_of_call([&] { read_results({folder.path.string()}); });
-  test::expect_has(text, {"one.jsonl", "two.jsonl"});
+  const std::string text = refusal([&] { read_results({folder.path.string()}); });
+  expect_has(text, {"one.jsonl", "two.jsonl"});
 }
 
 }  // namespace

@@ -26,8 +26,9 @@ sys.exit(min(255, sum(not validator.is_valid(json.loads(line)) for line in open(
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(Schema, HoldsRowsOfEveryStatus) {
-  const test::Folder folder;
+struct Schema : test::InFolder {};
+
+TEST_F(Schema, HoldsRowsOfEveryStatus) {
   const fs::path file = folder.path / "j.jsonl";
   {
     Journal journal(file, Journal::Mode::fresh);
@@ -50,8 +51,7 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
 }
 
 // Rows of earlier revisions may have no CPU times, no picture, or times of other phases.
-TEST(Schema, HoldsTheRowsOfResults) {
-  const test::Folder folder;
+TEST_F(Schema, HoldsTheRowsOfResults) {
   int journals = 0;
   for (const auto& entry : fs::recursive_directory_iterator(PELAGE_SOURCE_DIR "/results")) {
     if (entry.path().extension() != ".jsonl") continue;
@@ -62,8 +62,7 @@ TEST(Schema, HoldsTheRowsOfResults) {
   EXPECT_GT(journals, 0);
 }
 
-TEST(Schema, RefusesWhatNoRowMayBe) {
-  const test::Folder folder;
+TEST_F(Schema, RefusesWhatNoRowMayBe) {
   const fs::path file = folder.path / "j.jsonl";
   auto with = [](auto change) {
     auto json = nlohmann::ordered_json::parse(to_line(test::sample_row("a")));

@@ -122,7 +122,11 @@ TEST(Report, APlotThatFailsIsANote) {
 std::set<std::string> tick_labels(const std::string& scale) {
   const Folder folder;
   folder.write("t.csv", "model,median_ms\na,48\nb,52\nc,56\n");
-  PlotSpec plot{.x = "model", .x_scale = "linear", .y = "median_ms", .y_scale = scale};
+  PlotSpec plot;
+  plot.x = "model";
+  plot.y = "median_ms";
+  plot.y_scale = scale;
+  plot.x_scale = "linear";
   folder.write("t.json", json_of(plot));
   EXPECT_EQ(draw_plot(plot_program("plot"), folder.path / "t.csv", folder.path / "t"), "");
   const std::string svg = folder.read("t.svg");

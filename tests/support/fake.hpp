@@ -59,8 +59,10 @@ class FakeSubject : public Subject {
 inline std::vector<Case> fake_cases(int count) {
   std::vector<Case> cases;
   for (int i = 0; i < count; ++i) {
-    Case c{
-        .name = "case" + std::to_string(i), .variant = "shells/tile", .axes = {{"model", std::to_string(i)}}};
+    Case c;
+    c.name = "case" + std::to_string(i);
+    c.variant = "shells/tile";
+    c.axes = {{"model", std::to_string(i)}};
     cases.push_back(c);
   }
   return cases;

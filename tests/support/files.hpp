@@ -1,5 +1,6 @@
 // Creates temporary folders and text files for tests.
 #pragma once
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -51,6 +52,11 @@ struct Folder {
     if (place == std::string::npos) throw std::runtime_error(name + " does not contain " + from);
     write(name, text.replace(place, from.size(), to));
   }
+};
+
+/// A test with a temporary folder of its own.
+struct InFolder : ::testing::Test {
+  const Folder folder;
 };
 
 }  // namespace test

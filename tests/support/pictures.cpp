@@ -38,7 +38,10 @@ std::shared_ptr<const FrameInput> small_frame(const std::string& shading, const 
 }
 
 Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant, bool eight_bit) {
-  reference::Options options{.frames = frames, .eight_bit = eight_bit, .mutant = mutant};
+  reference::Options options;
+  options.frames = frames;
+  options.eight_bit = eight_bit;
+  options.mutant = mutant;
   return reference::render(input, options);
 }
 
