@@ -2,18 +2,13 @@
 // a buffer.
 #include "tests/support/oclgrind.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "harness/cl/program.hpp"
 #include "tests/support/texts.hpp"
 
-namespace fs = std::filesystem;
 using namespace pelage;
 
 namespace {
@@ -42,10 +37,9 @@ TEST_F(Oclgrind, SeesAPlantedOverrun) {
 TEST(Written, WhereTheHostSays) {
   const char* planted = std::getenv("PELAGE_TEST_INDEX");
   const fs::path before = cl::kernel_folder();
-  const fs::path folder = fs::temp_directory_path() / fmt::format("pelage-written-{}", ::getpid());
-  fs::create_directories(folder);
-  std::ofstream(folder / "write.cl") << "__kernel void write(int i, __global float *out) { out[i] = 1; }\n";
-  cl::set_kernel_folder(folder);
+  const test::Folder folder;
+  folder.write("write.cl", "__kernel void write(int i, __global float *out) { out[i] = 1; }\n");
+  cl::set_kernel_folder(folder.path);
   const cl::Queue queue(cl::choose_device(""));
   const std::vector<float> zeros(4);
   const cl::Buffer<float> out(queue, zeros);
@@ -56,5 +50,4 @@ TEST(Written, WhereTheHostSays) {
   }
   queue.finish();
   cl::set_kernel_folder(before);
-  fs::remove_all(folder);
 }

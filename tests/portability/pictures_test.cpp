@@ -79,7 +79,7 @@ TEST_P(Pictures, AreThoseOfThisMachinesDeviceAndOfTheReference) {
     const Picture reference = drawn_by_reference(*sight.input),
                   here = drawn_by(cl::choose_device(""), *sight.input, "");
     Picture there = here;
-    there.pixel = elsewhere.read<glm::vec4>(sight.name);
+    there.pixel = elsewhere.values_of<glm::vec4>(sight.name);
     ASSERT_EQ(there.pixel.size(), here.pixel.size());
     EXPECT_EQ(covered_in_one_only(there, here), 0u);
     EXPECT_EQ(covered_in_one_only(there, reference), 0u);

@@ -74,7 +74,11 @@ TEST(Coat, HasNoSeams) {
 TEST(Coat, PatternsUseBothColours) {
   const auto mesh = test::two_charts();
   for (const char* pattern : {"patches", "stripes", "spots", "grass"}) {
-    CoatScene coat{.pattern = pattern, .colour = {1, 0, 0}, .second = {0, 1, 0}, .scale = 0.3f};
+    CoatScene coat;
+    coat.pattern = pattern;
+    coat.colour = {1, 0, 0};
+    coat.second = {0, 1, 0};
+    coat.scale = 0.3f;
     int first = 0, second = 0;
     const CoatTexture t = make_coat(*mesh, coat);
     for (const auto& c : t.texel) {

@@ -38,7 +38,12 @@ double mean_coverage(const FurTexture& t, int level, int layer) {
 /// Returns fur of guard hairs without undercoat and locks. make_fur_texture() computes coverages for 16
 /// layers and converts them for other numbers of layers, so the texture contains the unconverted coverages.
 FurScene guard_hairs(int strands) {
-  return {.layers = 16, .strands = strands, .undercoat = 0, .locks = 0};
+  FurScene fur;
+  fur.layers = 16;
+  fur.strands = strands;
+  fur.undercoat = 0;
+  fur.locks = 0;
+  return fur;
 }
 
 /// Returns one such hair, whose radius in texels is the same from root to tip.
@@ -107,7 +112,12 @@ Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
 }
 
 TEST(FurTexture, SameSceneSameBytes) {
-  FurScene fur{.layers = 8, .texture = 64, .strands = 300, .undercoat = 200, .locks = 40};
+  FurScene fur;
+  fur.layers = 8;
+  fur.texture = 64;
+  fur.strands = 300;
+  fur.undercoat = 200;
+  fur.locks = 40;
   const std::string first = hash(make_fur_texture(fur));
   EXPECT_EQ(first, hash(make_fur_texture(fur)));
   fur.seed = 2;
@@ -115,7 +125,9 @@ TEST(FurTexture, SameSceneSameBytes) {
 }
 
 TEST(FurTexture, HasEveryLevelOfEveryLayer) {
-  FurScene fur{.layers = 3, .texture = 32};
+  FurScene fur;
+  fur.layers = 3;
+  fur.texture = 32;
   const FurTexture t = make_fur_texture(fur);
   ASSERT_EQ(t.level.size(), 6u);
   for (int l = 0; l < 6; ++l)
@@ -149,7 +161,9 @@ TEST(FurTexture, WrapsAround) {
 }
 
 TEST(FurTexture, SixteenAndSixtyFourLayersAreAsDenseAlongTheStrands) {
-  FurScene fur{.layers = 16, .sweep = 0};
+  FurScene fur;
+  fur.sweep = 0;
+  fur.layers = 16;
   const Seen few = along_rays(make_fur_texture(fur), fur, 0, 0);
   fur.layers = 64;
   const Seen many = along_rays(make_fur_texture(fur), fur, 0, 0);
@@ -161,7 +175,9 @@ TEST(FurTexture, SixteenAndSixtyFourLayersAreAsDenseAlongTheStrands) {
 
 TEST(FurTexture, SixteenAndSixtyFourLayersAreAsBrightFromAllSides) {
   for (const int locks : {0, 700}) {
-    FurScene fur{.layers = 16, .locks = locks};
+    FurScene fur;
+    fur.locks = locks;
+    fur.layers = 16;
     const Seen few = from_all_sides(make_fur_texture(fur), fur);
     fur.layers = 64;
     const Seen many = from_all_sides(make_fur_texture(fur), fur);

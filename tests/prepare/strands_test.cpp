@@ -19,7 +19,9 @@ const Skin& torus() {
 }
 
 TEST(Strands, UprightUnlessCombed) {
-  FurScene fur{.comb = 0, .comb_noise = 0};
+  FurScene fur;
+  fur.comb = 0;
+  fur.comb_noise = 0;
   const StrandSet set = make_strands(torus(), fur, {});
   ASSERT_EQ(set.anchor.size(), torus().triangle.size());
   for (std::size_t f = 0; f < set.anchor.size(); ++f) {
@@ -94,7 +96,9 @@ TEST(Strands, WeightsAreAMeanByArea) {
 }
 
 TEST(Strands, GustsTravelAlongTheWind) {
-  WindScene wind{.direction = {0, 0, 3}, .wavelength = 0.5f};
+  WindScene wind;
+  wind.direction = {0, 0, 3};
+  wind.wavelength = 0.5f;
   const StrandSet set = make_strands(torus(), {}, wind);
   for (std::size_t f = 0; f < set.root.size(); f += 97) {
     const double phase = 2 * std::numbers::pi * double(set.root[f].z) / 0.5;

@@ -20,7 +20,11 @@ struct Times {
 };
 
 WetnessScene scene_of(const Times& t) {
-  return {.soak = t.soak, .drying = t.drying, .drip = t.drip};
+  WetnessScene wetness;
+  wetness.soak = t.soak;
+  wetness.drying = t.drying;
+  wetness.drip = t.drip;
+  return wetness;
 }
 
 constexpr Times all_times[] = {{0, 0, 0},       {1.5f, 0, 0},    {0, 2, 0},
@@ -141,7 +145,10 @@ TEST(Water, RepetitionsHaveNoMass) {
 }
 
 TEST(Water, ArrivesAtEqualIntervalsUntilTheEnd) {
-  WetnessScene wetness{.rate = 4, .begin = 1, .end = 2};
+  WetnessScene wetness;
+  wetness.rate = 4;
+  wetness.begin = 1;
+  wetness.end = 2;
   std::vector<Droplet> drops(10, droplet(.5f, 0));
   drops[0].arrival = 7;  // a droplet of the list
   set_arrivals(wetness, drops, 1);
@@ -155,7 +162,9 @@ TEST(Water, ArrivesAtEqualIntervalsUntilTheEnd) {
 }
 
 TEST(Water, OfASceneIsThatOfItsDropletsInTheirOrder) {
-  WetnessScene wetness{.random = 300, .seams = "cut"};
+  WetnessScene wetness;
+  wetness.random = 300;
+  wetness.seams = "cut";
   const auto mesh = test::two_charts();
   const std::vector<Droplet> still = make_droplets(mesh, weld(*mesh), wetness);
   EXPECT_FALSE(water_changes(wetness, still));
@@ -178,7 +187,10 @@ TEST(Water, OfASceneIsThatOfItsDropletsInTheirOrder) {
 }
 
 TEST(Water, RepetitionsArriveWithTheirDroplet) {
-  WetnessScene wetness{.random = 300, .seams = "joined", .rate = 100};
+  WetnessScene wetness;
+  wetness.random = 300;
+  wetness.rate = 100;
+  wetness.seams = "joined";
   const auto mesh = test::two_charts();
   const std::vector<Droplet> rain = make_droplets(mesh, weld(*mesh), wetness);
   std::size_t repetitions = 0;
@@ -225,7 +237,9 @@ TEST(Water, IsWrittenAsCsv) {
 }
 
 TEST(Water, HasTheTimeOfThePicture) {
-  DynamicsScene dynamics{.step = .25f, .substeps = 2};
+  DynamicsScene dynamics;
+  dynamics.step = .25f;
+  dynamics.substeps = 2;
   EXPECT_EQ(picture_time(dynamics, 1), 0);
   EXPECT_EQ(picture_time(dynamics, 0), 0);
   EXPECT_EQ(picture_time(dynamics, 7), 3);
