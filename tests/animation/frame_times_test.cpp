@@ -73,9 +73,9 @@ TEST(FrameTimes, RefusesWhatIsOutOfRange) {
 }
 
 TEST(FrameTimes, AllFramesHaveOneSize) {
-  const std::string refused =
-      frames_refusal({.fps = 1, .to = 3}, "[keyframes]\n\"image.width\" = [[0, 800], [2, 640]]\n");
-  test::expect_has(refused, "the frame at 2 s has 640x600 pixels and the first frame 800x600");
+  test::expect_has(
+      frames_refusal({.fps = 1, .to = 3}, "[keyframes]\n\"image.width\" = [[0, 800], [2, 640]]\n"),
+      "the frame at 2 s has 640x600 pixels and the first frame 800x600");
 }
 
 TEST(FrameTimes, ASceneThatIsNotValidAtTheTimeOfAFrameIsRefused) {

@@ -19,8 +19,6 @@ struct Change {
   int shift;
 };
 
-// A fixture for tests that write kernels to a temporary folder and build them. TearDown() restores the
-// process's kernel folder.
 struct Programs : test::InFolder {
   void SetUp() override { cl::set_kernel_folder(folder.path); }
   void TearDown() override { cl::set_kernel_folder(before_); }

@@ -16,7 +16,6 @@ using test::row;
 constexpr double rounding = 1e-9;
 const char* const any = "{ above = -1000 }";
 
-/// Returns the value of an effect, given as TOML.
 double effect_of(const std::vector<FoundRow>& rows, const std::string& effect) {
   return judged(rows, effect, any).value.value();
 }

@@ -183,7 +183,6 @@ TEST(Recordings, PlantedWrongRowsChangeTheVerdicts) {
   EXPECT_GE(changed, 30u);
 }
 
-// plants() must contain a change for every claim that is testable with the recorded rows.
 TEST(Recordings, EveryDecidedClaimIsPlanted) {
   std::set<std::string> planted;
   for (const Plant& plant : plants()) planted.insert(plant.claim);

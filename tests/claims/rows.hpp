@@ -34,7 +34,6 @@ inline ClaimFile file_of(const std::string& text) {
   return read_claims(folder.path / "claims.toml");
 }
 
-/// Returns a claim about the experiment "own" as TOML text.
 inline std::string claim_text(const std::string& effect, const std::string& relation,
                               const std::string& rows = "experiment = \"own\"") {
   return fmt::format(

@@ -116,8 +116,8 @@ TEST_F(Animate, InterruptedItEndsWithItsCodeAndWholeFrames) {
 TEST_F(Animate, ALongerAnimationKeepsTheFrames) {
   const std::string scene = "animate wet-curls" + small + wind + " -o frames --fps 10 ";
   done(scene + "--to 0.3");
-  const Outcome longer = done(scene + "--to 0.5 --resume");
-  expect_has(longer.err, {"frames: 2 frames drawn, 4 kept", "5/6 frame-00004.png, 0.400 s: drawn in "});
+  expect_has(done(scene + "--to 0.5 --resume").err,
+             {"frames: 2 frames drawn, 4 kept", "5/6 frame-00004.png, 0.400 s: drawn in "});
 }
 
 TEST_F(Animate, RefusesBadUsageBeforeItDraws) {

@@ -24,7 +24,6 @@ std::string smaller(const std::string& command) {
   return replaced(text, "--frames 60", "--frames 4");
 }
 
-/// Returns the number of different frames among the first `count` in the folder.
 std::size_t different(const Folder& folder, const std::string& frames, int count) {
   std::set<std::string> pictures;
   for (int frame = 0; frame < count; ++frame) {

@@ -52,7 +52,6 @@ TEST_F(Claims, OfTheUserNeedNoProgram) {
              "untestable: there are no rows of the experiment my-experiment");
 }
 
-// With the rows of one experiment, the claims about all other experiments are one line.
 TEST_F(Claims, WithoutRowsAreOneLine) {
   const std::string one = "claims " + results.substr(0, results.size() - 1) + "/layers'";
   const Outcome text = pelage(one), all = pelage(one + " --all");

@@ -8,7 +8,6 @@
 namespace pelage::cli {
 namespace {
 
-/// Writes an experiment with four cases into a temporary folder.
 struct Cluster : InFolder {
   void SetUp() override { folder.write("own.toml", of_torus("layers = [4, 6, 8, 10]")); }
   void run(const std::string& options) const { done("run own.toml --host nodes " + options); }
@@ -30,7 +29,6 @@ std::vector<std::string> cases_of(const std::string& text, const std::string& pa
   return names;
 }
 
-/// Returns the sorted names of the cases that `pelage export` prints for `results`.
 std::vector<std::string> cases_in(const Folder& folder, const std::string& results) {
   return cases_of(pelage(folder, "export " + results).out, ",frame,wall,");
 }

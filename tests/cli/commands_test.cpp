@@ -79,8 +79,7 @@ TEST_F(Commands, AnExampleSceneHasAName) {
   expect_has(by_path, "[fur]");
   for (const char* name : {"wet-curls", "wet-curls.toml"})
     EXPECT_EQ(pelage(std::string("scene ") + name).out, by_path) << name;
-  const Outcome turned = pelage("scene wet-curls --model mine.obj --up z");
-  expect_has(turned.out, {"/mine.obj\"", "up = \"z\""});
+  expect_has(pelage("scene wet-curls --model mine.obj --up z").out, {"/mine.obj\"", "up = \"z\""});
   folder.write("wet-curls", "fur.layers = 7\n");
   expect_has(pelage("scene wet-curls").out,
              "layers = 7");  // a file of the user comes before an example

@@ -33,7 +33,6 @@ std::string body(double lift) {
   return text + top + "\n" + bottom + "\n";
 }
 
-/// Writes six frames, and a scene of strands that shows them.
 void write_frames(const Folder& folder) {
   for (int frame = 0; frame < 6; ++frame)
     folder.write(fmt::format("body-{}.obj", frame + 7), body(0.06 * frame));

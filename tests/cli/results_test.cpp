@@ -48,9 +48,9 @@ TEST_F(Results, RowsAndReportsContainTheSceneKeys) {
   done("run own.toml -o wet");
   fs::remove(folder.path / "own.toml");
   done("report wet -o page");
-  const std::string provenance = folder.read("page/provenance.txt");
-  expect_has(provenance, {"    fur.texture = 64\n", "case torus_24x12-4-dry-320x240: no other keys\n",
-                          "case torus_24x12-4-soaked-320x240: wetness.random = 40; wetness.wetness = 0.8\n"});
+  expect_has(folder.read("page/provenance.txt"),
+             {"    fur.texture = 64\n", "case torus_24x12-4-dry-320x240: no other keys\n",
+              "case torus_24x12-4-soaked-320x240: wetness.random = 40; wetness.wetness = 0.8\n"});
   expect_has(folder.read("page/index.html"), "wetness.random = 40; wetness.wetness = 0.8");
 }
 
@@ -68,8 +68,7 @@ TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
              "with --view");
   EXPECT_FALSE(fs::exists(folder.path / "page/plots/own-frame-time.json"));
   folder.write("own.toml", own + "y = \"median_ms\"\n");
-  const Outcome mended = done("report second -o page --view own.toml");
-  expect_lacks(mended.err, "no such column");
+  expect_lacks(done("report second -o page --view own.toml").err, "no such column");
   EXPECT_TRUE(fs::exists(folder.path / "page/plots/own-frame-time.json"));
   expect_refused(pelage("report second -o page --view layers"),
                  "--view layers: no row belongs to the experiment layers");
@@ -210,8 +209,7 @@ TEST_F(Results, MeshFilesOfOneNameAreToldApart) {
   }
   folder.write("own.toml",
                experiment("model = [\"x/m.obj\", \"y/m.obj\"]\nlayers = [4, 8]\nsize = [\"320x240\"]"));
-  const Outcome dry = done("run own.toml --dry-run");
-  expect_has(dry.out, {"\tx_m-4-320x240\t", "\ty_m-8-320x240\t"});
+  expect_has(done("run own.toml --dry-run").out, {"\tx_m-4-320x240\t", "\ty_m-8-320x240\t"});
 }
 
 TEST_F(Results, AKeyOfManyPartsIsRefused) {

@@ -93,7 +93,6 @@ inline std::string of_torus(const std::string& axes, const std::string& scene = 
   return experiment("model = [\"torus-24x12\"]\n" + axes + "\nsize = [\"320x240\"]", scene);
 }
 
-/// Returns the name of a journal below a folder of results.
 inline std::string journal_in(const Folder& folder, const std::string& results) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path / results))
     if (entry.path().extension() == ".jsonl") return entry.path().lexically_relative(folder.path).string();

@@ -66,8 +66,7 @@ TEST_F(Strands, AnExperimentTimesThemAlone) {
                "[{ count = 9000 }]\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
                "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
   done("run mine.toml -o rows");
-  const Outcome csv = done("export rows --csv -");
-  expect_has(csv.out, {"simulate", "keys", "sort", "bin", "raster", "frame"});
+  expect_has(done("export rows --csv -").out, {"simulate", "keys", "sort", "bin", "raster", "frame"});
   done("report rows -o report");
 }
 

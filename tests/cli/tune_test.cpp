@@ -29,19 +29,18 @@ TEST_F(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
   folder.write("kernels/rasterize/tuning.toml",
                "[TILE_W]\nwhat = \"planted\"\nvalues = [8]\n"
                "[TILE_H]\nwhat = \"no tile\"\nvalues = [7]\n");
-  const Outcome tuned = done(std::string("--kernels kernels tune rasterize -o t.toml ") + smallest);
-  expect_has(tuned.out, {"rasterize\tTILE_W=8\tfailed: torus-16-320x240: psnr against reference",
-                         "rasterize\tTILE_H=7\tfailed: tuning: TILE_H is 7", "rasterize\tshipped\tstored"});
+  expect_has(done(std::string("--kernels kernels tune rasterize -o t.toml ") + smallest).out,
+             {"rasterize\tTILE_W=8\tfailed: torus-16-320x240: psnr against reference",
+              "rasterize\tTILE_H=7\tfailed: tuning: TILE_H is 7", "rasterize\tshipped\tstored"});
   expect_lacks(folder.read("t.toml"), "TILE_W =");
-  // pelage run accepts the stored file.
   done("run silva2010-table1 --tuning t.toml --dry-run");
 }
 
 TEST_F(Tune, ARunRecordsTheValuesItWasGiven) {
   folder.write("mine.toml", "[rasterize]\nGROUP = 2\n");
   done("run silva2010-table1 --preset smoke --filter torus-16 --tuning mine.toml -o out");
-  const std::string rows = folder.read(journal_in(folder, "out"));
-  expect_has(rows, {"\"tuning\":{\"GROUP\":2}", "\"variant\":\"shells/tile/mine\""});
+  expect_has(folder.read(journal_in(folder, "out")),
+             {"\"tuning\":{\"GROUP\":2}", "\"variant\":\"shells/tile/mine\""});
 }
 
 }  // namespace

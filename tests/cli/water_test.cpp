@@ -12,7 +12,6 @@ namespace {
 
 using Table = std::vector<std::vector<double>>;
 
-/// Returns the numbers of a CSV table without its heading.
 Table numbers(const std::string& text) {
   Table table;
   std::istringstream lines(text);
@@ -53,8 +52,7 @@ TEST_F(WaterCommand, WritesTheAccountOfTheExample) {
 TEST_F(WaterCommand, DrawsTheAccount) {
   done("water rain --model torus --to 10 --fps 4 --csv account.svg");
   EXPECT_EQ(numbers(folder.read("account.csv")).size(), 41u);
-  const std::string svg = folder.read("account.svg");
-  expect_has(svg, {"unsoaked", "held", "evaporated", "dripped", "fell", "time, s"});
+  expect_has(folder.read("account.svg"), {"unsoaked", "held", "evaporated", "dripped", "fell", "time, s"});
   EXPECT_EQ(folder.read("account.pdf").substr(0, 5), "%PDF-");
 }
 

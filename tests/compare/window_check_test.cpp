@@ -52,7 +52,6 @@ Picture spoilt(int count, float by) {
   return p;
 }
 
-/// Returns the names of the metrics of all checks, in order.
 std::string names_of(const WindowCheck& check) {
   std::string names;
   for (const Check& c : check.checks) names += c.metric + "; ";

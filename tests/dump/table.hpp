@@ -16,7 +16,6 @@
 
 namespace pelage {
 
-/// A dataset of a dump.
 struct Dataset {
   std::string type, units, description;
   std::vector<std::string> shape;  ///< the sizes of its dimensions

@@ -29,8 +29,7 @@ struct Axes : ::testing::Test {
         "");
   }
   void refuses(const std::string& text, const std::string& part, const Overrides& overrides = {}) const {
-    const std::string said = refusal(text, overrides);
-    test::expect_has(said, part);
+    test::expect_has(refusal(text, overrides), part);
   }
   test::Folder folder;
 };

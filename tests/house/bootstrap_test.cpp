@@ -96,11 +96,9 @@ TEST_F(Bootstrap, LeavesTheUsersOwnChoicesAlone) {
   const Outcome chosen = run("table1 --preset smoke -o mine");
   expect_has(chosen.calls,
              {"pelage run silva2010-table1 --preset smoke -o mine\n", "pelage report mine -o mine/report\n"});
-  const Outcome resumed = run("table1 --resume old");
-  expect_has(resumed.calls, {"pelage run silva2010-table1 --preset quick --resume old\n",
-                             "pelage report old -o old/report\n"});
-  const Outcome dry = run("table1 --dry-run");
-  expect_lacks(dry.calls, "pelage report");
+  expect_has(run("table1 --resume old").calls, {"pelage run silva2010-table1 --preset quick --resume old\n",
+                                                "pelage report old -o old/report\n"});
+  expect_lacks(run("table1 --dry-run").calls, "pelage report");
   const Outcome anonymous = run("table1 --anonymous");
   std::array<char, 256> host{};
   ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
@@ -123,8 +121,7 @@ TEST_F(Bootstrap, RunsTheTestsAndPassesOnTheirVerdict) {
   const Outcome passed = run("test -R cl");
   EXPECT_EQ(passed.exit_code, 0) << passed.text;
   expect_has(passed.calls, "--output-on-failure --parallel 5 --label-exclude full -R cl\n");
-  const Outcome full = run("test --full -R cl");
-  expect_has(full.calls, "--output-on-failure --parallel 5 -R cl\n");
+  expect_has(run("test --full -R cl").calls, "--output-on-failure --parallel 5 -R cl\n");
   stub("ctest", "exit 8");
   EXPECT_EQ(run("test").exit_code, 8);
 }

@@ -91,7 +91,6 @@ std::vector<fs::path> documents() {
   return found;
 }
 
-/// Returns the titles of a document's sections.
 std::vector<std::string> titles_of(const std::string& text) {
   std::vector<std::string> titles;
   std::istringstream stream(text);

@@ -32,7 +32,6 @@ class Lint : public Checkout {
     stub("cmake", "");
   }
   std::string output() const { return read("output"); }
-  // Returns the files that the stub of clang-tidy received, in order.
   std::vector<std::string> linted() const {
     std::istringstream stream(read("notes"));
     return {std::istream_iterator<std::string>(stream), {}};

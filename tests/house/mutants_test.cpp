@@ -13,7 +13,6 @@ using pelage::house::root;
 
 namespace {
 
-/// Runs `scripts/mutants.py --check` on a data file. Returns its exit status.
 int checked(const fs::path& data) {
   return std::system(
       fmt::format("'{}' --check --data '{}' >&2", (root / "scripts/mutants.py").string(), data.string())

@@ -62,9 +62,8 @@ TEST_F(LimitOfUser, StaysInForceAndIsNamed) {
 }
 
 TEST_F(LimitOfUser, IsNotNamedIfTheOwnLimitIsLower) {
-  const std::string message =
-      message_of(std::uint64_t(1) << 30, {std::uint64_t(64) << 20, std::chrono::seconds(60)});
-  test::expect_has(message, "needs more than 64 MiB of memory");
+  test::expect_has(message_of(std::uint64_t(1) << 30, {std::uint64_t(64) << 20, std::chrono::seconds(60)}),
+                   "needs more than 64 MiB of memory");
 }
 
 TEST(RunProgram, GivesTheExitCodeAndTheMessages) {

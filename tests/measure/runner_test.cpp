@@ -34,7 +34,6 @@ Row row_of(Arguments... arguments) {
                   [=](const Case&) { return std::make_unique<Fake>(arguments...); });
 }
 
-/// Every test has a journal in a temporary folder.
 struct Runner : ::testing::Test {
   Folder folder;
   Journal journal{folder.path / "j.jsonl", Journal::Mode::fresh};
@@ -221,7 +220,6 @@ int run_in_child(const fs::path& file, int cases, double kill_after_ms, int sign
   return status;
 }
 
-/// Returns the journal line of a row of results, without times and dates.
 std::string without_times(Row row) {
   for (const char* key : {"utc", "started_s", "load", "load_after", "cpu_mhz", "cpu_mhz_after",
                           "other_cpu_share", "prepare_s", "sampling_s", "check_s"})

@@ -139,10 +139,8 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
   expect_same(whole);
   EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);
   expect_same(whole);
-  // pelage must refuse to resume a run with another preset.
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
 
-  // Each repeat must run in its own process.
   const std::string repeated = (folder->path / "repeats").string();
   ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
   std::set<std::string> runs;

@@ -15,7 +15,6 @@
 namespace pelage {
 namespace {
 
-// Checks properties that every prepared mesh must have.
 void expect_well_made(const Mesh& mesh) {
   float farthest = 0;
   for (const glm::vec3& p : mesh.position) farthest = std::max(farthest, glm::length(p));

@@ -114,8 +114,8 @@ TEST_F(Page, TheSummaryCountsTheCasesWithoutTimes) {
   test::expect_has(all, "32 cases. All of them are ok");
   test::expect_lacks(all, "have no times");
   rows[0].row.status = Status::error;
-  const std::string some = page_of(write_reports(rows, folder.path, no_note), {});
-  test::expect_has(some, {"32 cases. 31 of them are ok", "The other case has no time."});
+  test::expect_has(page_of(write_reports(rows, folder.path, no_note), {}),
+                   {"32 cases. 31 of them are ok", "The other case has no time."});
 }
 
 /// Rows of the same cases that were measured with another mesh are a second set of results on one page.

@@ -10,7 +10,6 @@
 namespace pelage::planted {
 namespace {
 
-/// Returns the names of the tests of a suite in this program.
 std::vector<std::string> tests_of(const std::string& suite) {
   std::vector<std::string> names;
   const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();

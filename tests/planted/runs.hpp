@@ -35,7 +35,6 @@ struct Runs : InFolder {
   /// Copies the kernel sources into the subfolder `mine`, and replaces `from` by `to` in one of the copied
   /// files.
   void edit_kernel(const std::string& file, const std::string& from, const std::string& to) const;
-  /// Returns the only journal (.jsonl file) in a folder of results.
   std::filesystem::path journal(const std::string& results = "results") const;
   std::vector<Row> rows(const std::string& results = "results") const;
   /// Applies `change` to each row of the journal, and writes the rows with correct checksums.

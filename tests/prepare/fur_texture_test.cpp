@@ -26,7 +26,6 @@ double coverage(const FurTexture& t, int level, int layer, int x, int y) {
   return t.level[std::size_t(level)][i][0] / 255.0;
 }
 
-/// Returns the mean of coverage() over a slice.
 double mean_coverage(const FurTexture& t, int level, int layer) {
   const int side = t.size >> level;
   double sum = 0;

@@ -111,9 +111,8 @@ TEST_F(Merging, OtherInputsOfACaseAreRefusedAndNamed) {
   Row edited = row_of("a", "run2");
   edited.identity["scene"] = "9999999999999999";
   write_two({row_of("a")}, {edited});
-  const std::string text = refusal_of({"a", "b"});
-  expect_has(text, {"a/own/gpu@node1.jsonl", "b/own/gpu@node1.jsonl",
-                    "scene was 1111111111111111, is 9999999999999999", "--keep-apart"});
+  expect_has(refusal_of({"a", "b"}), {"a/own/gpu@node1.jsonl", "b/own/gpu@node1.jsonl",
+                                      "scene was 1111111111111111, is 9999999999999999", "--keep-apart"});
 }
 
 TEST_F(Merging, TwoMeasurementsOfACaseAreRefused) {

@@ -34,9 +34,9 @@ TEST(CaseSection, ShowsTheRatioToABaselineAndTheStepsPerFrame) {
     row.provenance["view"] = {{"columns", {"dynamics.topology"}},
                               {"values", {"median_ms", "serial-fast_ratio"}}};
   }
-  const std::string text = text_of(sections_without_notes(rows).at(0).table);
-  test::expect_has(text, {"2.05 [1.90, 2.10]", "NAME_ratio: time of the baseline NAME divided by our time",
-                          "Time steps per frame: explicit-euler 16, rk4 4."});
+  test::expect_has(text_of(sections_without_notes(rows).at(0).table),
+                   {"2.05 [1.90, 2.10]", "NAME_ratio: time of the baseline NAME divided by our time",
+                    "Time steps per frame: explicit-euler 16, rk4 4."});
   for (FoundRow& found : rows) found.row.metrics["substeps"].value = 4;
   test::expect_lacks(text_of(sections_without_notes(rows).at(0).table), "Time steps");
 }

@@ -23,9 +23,9 @@ std::vector<FrameWork> one_frame() {
 }
 
 TEST(Profile, TheTableHasRatesAndSharesOfTheBandwidth) {
-  const std::string csv = csv_of(one_frame(), bandwidth);
-  test::expect_has(csv, {"torus-16,9360,2,3000000,2000000,1000000,tile_shells,raster,0.5,1000000,2\n",
-                         "bin_fill,bin,0.25,500000,2\n"});
+  test::expect_has(csv_of(one_frame(), bandwidth),
+                   {"torus-16,9360,2,3000000,2000000,1000000,tile_shells,raster,0.5,1000000,2\n",
+                    "bin_fill,bin,0.25,500000,2\n"});
   const std::string text = text_of(one_frame(), bandwidth);
   test::expect_has(text, {"    5.0%", "between kernels            1.250   62.5%"});
 }
@@ -43,8 +43,7 @@ TEST(Profile, ThePlotIsDrawnFromTheTable) {
   const auto table = folder.path / "t.csv";
   test::write_text(table, csv_of(one_frame(), bandwidth));
   EXPECT_EQ(draw_plot(plot_program("profile"), table, folder.path / "t"), "");
-  const std::string svg = folder.read("t.svg");
-  test::expect_has(svg, {">raster<", "between kernels"});
+  test::expect_has(folder.read("t.svg"), {">raster<", "between kernels"});
 }
 
 }  // namespace

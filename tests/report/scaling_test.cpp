@@ -100,10 +100,10 @@ TEST(Scaling, ComparesSixtyFourLayersWithSixteenOnly) {
 }
 
 TEST(Scaling, ComparesCellsOfOneHostOnly) {
-  const std::string text = scaling_text(
-      {timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18), timed("slow", 32, 38)});
-  test::expect_has(text, {"10.00 ->     18.00 ms, 1.80 times", "20.00 ->     38.00 ms, 1.90 times",
-                          "A frame with twice the layers takes at most 1.90 times as long"});
+  test::expect_has(scaling_text({timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18),
+                                 timed("slow", 32, 38)}),
+                   {"10.00 ->     18.00 ms, 1.80 times", "20.00 ->     38.00 ms, 1.90 times",
+                    "A frame with twice the layers takes at most 1.90 times as long"});
 }
 
 TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {

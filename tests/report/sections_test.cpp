@@ -32,7 +32,6 @@ double number(const Table& table, std::size_t line, const char* column) {
   return std::stod(value(table, line, column).data);
 }
 
-/// Returns the index of the first line that has these values in these columns.
 std::size_t line_with(const Table& table, const std::vector<std::pair<const char*, const char*>>& values) {
   for (std::size_t i = 0; i < table.lines.size(); ++i)
     if (std::all_of(values.begin(), values.end(),
@@ -253,8 +252,8 @@ TEST(RatioSection, CountsWhatHasNoRatio) {
       found.row.status = Status::failed_check;
       found.row.samples.clear();
     }
-  const std::string text = text_of(sections(rows).at(0).table);
-  test::expect_has(text, {"the geometric mean 9.00 over 28 of 32 cells", "failed-check"});
+  test::expect_has(text_of(sections(rows).at(0).table),
+                   {"the geometric mean 9.00 over 28 of 32 cells", "failed-check"});
 }
 
 // A variant that was not measured in turns with the baseline has a table of its times.

@@ -13,12 +13,7 @@
 namespace pelage {
 namespace {
 
-struct BadKeyframes {
-  const char* text;      ///< a scene file
-  const char* expected;  ///< text that the error message must contain
-};
-
-const BadKeyframes bad_keyframes[] = {
+const std::vector<test::Bad> bad_keyframes = {
     {"[keyframes]\n\"strands.fractoin\" = [[0, 1]]",
      "s.toml:2: keyframes.\"strands.fractoin\": no such key; did you mean strands.fraction?"},
     {"[keyframes]\n\"model\" = [[0, \"torus\"]]", "s.toml:2: keyframes.\"model\": this key cannot change"},
@@ -53,11 +48,7 @@ const BadKeyframes bad_keyframes[] = {
 };
 
 TEST(Keyframes, BadLinesAreErrorsWithFileLineAndKey) {
-  for (const BadKeyframes& bad : bad_keyframes) {
-    const std::string said = test::refusal([&] { parse_scene(bad.text, "s.toml"); });
-    EXPECT_NE(said.find(bad.expected), std::string::npos) << said << "\n  expected: " << bad.expected;
-    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
-  }
+  test::expect_refusals(bad_keyframes, [](const std::string& text) { parse_scene(text, "s.toml"); });
 }
 
 const char* const lively = R"(

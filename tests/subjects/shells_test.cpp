@@ -17,7 +17,6 @@ constexpr const char* small_scene =
     "[scene]\nfur.texture = 64\nwetness.random = 50\n"
     "[preset.quick]\nwarm_up_s = 0.0\nleast = 3\nmost = 3\nprecision = 1.0\nlimit_s = 20.0\n";
 
-/// Runs an experiment of one case on the first device, and keeps the row of results.
 struct OneRow {
   test::Folder folder;
   cl::Device device = cl::choose_device("");

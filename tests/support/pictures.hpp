@@ -31,7 +31,6 @@ constexpr int frames = 16;
 Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant = reference::Mutant::none,
                            bool eight_bit = false);
 
-/// Returns true if two pictures have equal numbers of pixels, and equal bits in each of them.
 bool same_bits(const Picture& a, const Picture& b);
 
 /// Returns a summary for the message of a failed test: the PSNR, the PSNR without the flipped pixels, the

@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <source_location>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/error.hpp"
 
@@ -49,6 +51,22 @@ inline void expect_lacks(const std::string& text, std::initializer_list<std::str
 inline void expect_lacks(const std::string& text, const std::string& part,
                          const Place& at = Place::current()) {
   expect_lacks(text, {part}, at);
+}
+
+/// An input, and a text that the message of its refusal must contain.
+using Bad = std::pair<std::string, std::string>;
+
+/// Expects that work(input) throws an InputError for each input. The message must be one line that begins
+/// with `start`.
+template <class Work>
+void expect_refusals(const std::vector<Bad>& list, const Work& work, const std::string& start = "") {
+  for (const auto& [input, part] : list) {
+    SCOPED_TRACE(input);
+    const std::string said = refusal([&] { work(input); });
+    expect_has(said, part);
+    expect_lacks(said, "\n");
+    EXPECT_TRUE(said.starts_with(start)) << said;
+  }
 }
 
 }  // namespace pelage::test

@@ -141,8 +141,7 @@ TEST(Formats, AsLatex) {
 }
 
 TEST(Formats, AsHtml) {
-  const std::string html = html_of(cases());
-  test::expect_has(html, {"cow<sup>a</sup>", "a &lt;stand-in&gt; &amp; more"});
+  test::expect_has(html_of(cases()), {"cow<sup>a</sup>", "a &lt;stand-in&gt; &amp; more"});
   EXPECT_EQ(html_text("<a b=\"&\">"), "&lt;a b=&quot;&amp;&quot;&gt;");
 }
 
