@@ -119,6 +119,7 @@ const std::vector<Bad> images = {
     {"--set coat.image=half.exr", "half.exr: "},
     {"--set coat.image=half.jpg", "half.jpg: "},
     {"--set coat.image=huge.png", "huge.png: "},
+    {"--set coat.image=large.png", "16384 x 16384 pixels; pelage reads pictures of at most 67108864 pixels"},
     {"--set coat.image=text.gif",
      "text.gif: pelage does not read this format; it reads PNG, JPEG, TIFF and EXR"},
     {"--set wetness.text=A --set wetness.random=10 --set wetness.text_font=missing.ttf",
@@ -222,6 +223,11 @@ TEST_F(BadInput, Images) {
       std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x1e\x84\x80\0\x1e\x84\x80\x08\x02\0\0\0\x1f\x4e\x5f\x5f",
                   33) +
           std::string("\0\0\0\0IEND\xae\x42\x60\x82", 12));
+  // The header of a grey picture of 16384 x 16384 pixels, and the beginning of its pixels.
+  folder.write(
+      "large.png",
+      std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\x08\0\0\0\0\x8c\xa3\x4f\x58", 33) +
+          std::string("\0\x04\x93\xe0IDAT", 8) + std::string(300'000, '\0'));
   expect_all(folder, images, tiny_picture + "-o a.png ", true);
 }
 

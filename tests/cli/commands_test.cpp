@@ -1,17 +1,15 @@
 // Tests the commands of pelage with valid input.
-#include <hdf5.h>
-
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
-#include <numeric>
 #include <vector>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/picture/image_io.hpp"
 #include "tests/cli/shell.hpp"
+#include "tests/dump/table.hpp"
 
 namespace pelage::cli {
 namespace {
@@ -37,42 +35,14 @@ TEST_F(Commands, ThePrintedSceneReadsBackToItself) {
   expect_has(second.out, "\nlayers = 16 ");
 }
 
-/// An HDF5 dataset, converted to floats, with its shape and units.
-struct Dataset {
-  std::vector<hsize_t> shape;
-  std::vector<float> values;
-  std::string units;
-};
-
-Dataset read(hid_t file, const char* name) {
-  Dataset data;
-  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
-  if (set < 0) return data;
-  const hid_t space = H5Dget_space(set);
-  data.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-  H5Sget_simple_extent_dims(space, data.shape.data(), nullptr);
-  data.values.resize(
-      std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>()));
-  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data());
-  const hid_t attribute = H5Aopen(set, "units", H5P_DEFAULT);
-  const hid_t type = H5Aget_type(attribute);
-  data.units.resize(H5Tget_size(type));
-  H5Aread(attribute, type, data.units.data());
-  H5Tclose(type);
-  H5Aclose(attribute);
-  H5Sclose(space);
-  H5Dclose(set);
-  return data;
-}
-
-std::vector<glm::dvec3> vectors(const Dataset& data) {
+std::vector<glm::dvec3> vectors(const std::vector<float>& values) {
   std::vector<glm::dvec3> list;
-  for (std::size_t i = 0; i + 2 < data.values.size(); i += 3)
-    list.emplace_back(data.values[i], data.values[i + 1], data.values[i + 2]);
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    list.emplace_back(values[i], values[i + 1], values[i + 2]);
   return list;
 }
 
-using Shape = std::vector<hsize_t>;
+using Shape = std::vector<std::string>;
 
 TEST_F(Commands, AnExampleSceneHasAName) {
   const std::string by_path = pelage("scene '" PELAGE_SOURCE_DIR "/examples/wet-curls.toml'").out;
@@ -90,25 +60,25 @@ TEST_F(Commands, TheDumpHoldsAFrameThatFitsTogether) {
       "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
       "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
       "frame.h5");
-  const hid_t file = H5Fopen((folder.path / "frame.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  ASSERT_GE(file, 0);
+  const fs::path path = folder.path / "frame.h5";
+  const Datasets file = datasets_of(path);
   for (const char* name :
        {"mesh/position", "mesh/triangle", "mesh/uv", "mesh/normal", "strand/root", "strand/rest",
         "strand/tip", "mask", "fur", "colour", "layer/offset", "camera/view", "camera/projection", "image"}) {
-    const Dataset data = read(file, name);
-    EXPECT_FALSE(data.values.empty()) << name;
-    EXPECT_FALSE(data.units.empty()) << name;
-    for (const float value : data.values) ASSERT_TRUE(std::isfinite(value)) << name;
+    const std::vector<float> values = floats_of(path, name);
+    EXPECT_FALSE(values.empty()) << name;
+    EXPECT_FALSE(file.at(name).units.empty()) << name;
+    for (const float value : values) ASSERT_TRUE(std::isfinite(value)) << name;
   }
-  const auto vectors_of = [&](const char* name) { return vectors(read(file, name)); };
+  const auto vectors_of = [&](const char* name) { return vectors(floats_of(path, name)); };
   const std::vector<glm::dvec3> position = vectors_of("mesh/position"),
                                 triangle = vectors_of("mesh/triangle");
   const std::size_t vertices = position.size(), faces = 9360;
   EXPECT_EQ(triangle.size(), faces);
-  EXPECT_EQ(read(file, "mask").shape, (Shape{256, 256, 4}));
-  EXPECT_EQ(read(file, "fur").shape, (Shape{4, 32, 32, 2}));
-  EXPECT_EQ(read(file, "fur_mip/1").shape, (Shape{4, 16, 16, 2}));
-  EXPECT_EQ(read(file, "layer/offset").shape, (Shape{4, vertices, 3}));
+  EXPECT_EQ(file.at("mask").shape, (Shape{"256", "256", "4"}));
+  EXPECT_EQ(file.at("fur").shape, (Shape{"4", "32", "32", "2"}));
+  EXPECT_EQ(file.at("fur_mip/1").shape, (Shape{"4", "16", "16", "2"}));
+  EXPECT_EQ(file.at("layer/offset").shape, (Shape{"4", std::to_string(vertices), "3"}));
 
   // The distance from a root to its tip must be at most the length of the strand. Gravity must have moved
   // some tips.
@@ -146,8 +116,8 @@ TEST_F(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   // All vertices must be in front of the camera. In the screen coordinates, the picture extends from -1 to 1
   // along x and along y. The means of the vertices' x and y must be between -4 and 4. A row of a matrix in
   // the file is a column of a matrix of GLM, so the vector stands on the left.
-  const glm::dmat4 view(glm::make_mat4(read(file, "camera/view").values.data())),
-      projection(glm::make_mat4(read(file, "camera/projection").values.data()));
+  const glm::dmat4 view(glm::make_mat4(floats_of(path, "camera/view").data())),
+      projection(glm::make_mat4(floats_of(path, "camera/projection").data()));
   glm::dvec4 middle(0);
   for (const glm::dvec3& p : position) {
     const glm::dvec4 screen = glm::dvec4(p, 1) * view * projection;
@@ -158,13 +128,12 @@ TEST_F(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   EXPECT_LT(std::abs(middle.y), 4);
 
   // The dataset "image" is equal to the picture that the same command wrote.
-  const Dataset image = read(file, "image");
-  EXPECT_EQ(image.shape, (Shape{30, 40, 4}));
+  EXPECT_EQ(file.at("image").shape, (Shape{"30", "40", "4"}));
+  const std::vector<float> image = floats_of(path, "image");
   const Picture picture = read_picture(folder.path / "image.exr");
   for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
-    for (int c = 0; c < 4; ++c) ASSERT_EQ(image.values[4 * i + std::size_t(c)], picture.pixel[i][c]);
+    for (int c = 0; c < 4; ++c) ASSERT_EQ(image[4 * i + std::size_t(c)], picture.pixel[i][c]);
   }
-  H5Fclose(file);
 }
 
 TEST_F(Commands, ShellsAndReferenceDrawTheSamePicture) {

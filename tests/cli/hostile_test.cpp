@@ -58,19 +58,6 @@ TEST_F(Hostile, AnAxisOfManyValuesIsNoCaseOfManyGigabytes) {
   EXPECT_LT(use.ru_maxrss, 1024L * 1024) << "KiB, the largest memory of a process of this test program";
 }
 
-TEST_F(Hostile, ACoatOfTooManyPixelsIsRefused) {
-  // A truncated PNG file: the header of a grey picture of 16384 x 16384 pixels, and the beginning of its
-  // pixel data.
-  folder.write(
-      "coat.png",
-      std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\x08\0\0\0\0\x8c\xa3\x4f\x58", 33) +
-          std::string("\0\x04\x93\xe0IDAT", 8) + std::string(300'000, '\0'));
-  expect_refused(
-      pelage(
-          "render -o a.png --pipeline reference --model torus-24x12 --size 16x16 --set coat.image=coat.png"),
-      "16384 x 16384 pixels; pelage reads pictures of at most 67108864 pixels", true);
-}
-
 TEST_F(Hostile, ControlCharactersOfNamesDoNotReachTheTerminal) {
   expect_refused(pelage("render -o \"$(printf 'a\\033[31mb\\007.jpg')\""),
                  "a\\x1b[31mb\\x07.jpg: a picture is written as .png, .exr or .tif");

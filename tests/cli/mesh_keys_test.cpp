@@ -31,22 +31,6 @@ TEST_F(MeshKeys, AWarningOfOverlapReachesTheRows) {
              "\"mesh_warnings\":[\"UV map: 100.00% of the map overlaps");
 }
 
-TEST_F(MeshKeys, AMissingMapIsOneErrorAndExitCode2) {
-  folder.write("t.off", "OFF\n4 4 0\n1 1 1\n-1 -1 1\n-1 1 -1\n1 -1 -1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-  for (const std::string& arguments :
-       {small_picture + "-o a.png --model t.off --set fur.uv=file", std::string("mesh t.off --keep-uv")})
-    expect_refused(pelage(arguments), "t.off: has no UV map of its own", true);
-}
-
-TEST_F(MeshKeys, ARotationChangesThePicture) {
-  const std::string render = small_picture + "--model banisch-dog ";
-  done(render + "-o a.png");
-  done(render + "-o b.png --set 'mesh.rotate=[0, 90, 0]'");
-  EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
-  expect_has(done("mesh banisch-dog --rotate -90,0,0").out,
-             "turned by -90, 0 and 0 degrees about x, y and z");
-}
-
 TEST_F(MeshKeys, AFileWhoseZAxisPointsUpIsTurned) {
   const std::string render = small_picture + "--model banisch-dog ";
   done(render + "-o y.png");

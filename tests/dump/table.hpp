@@ -61,6 +61,18 @@ inline Datasets datasets_of(const std::filesystem::path& path) {
   return found;
 }
 
+/// Returns the values of a dataset of the dump `path`, converted to floats.
+inline std::vector<float> floats_of(const std::filesystem::path& path, const char* name) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  std::vector<float> values(std::size_t(H5Sget_simple_extent_npoints(space)));
+  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Fclose(file);
+  return values;
+}
+
 /// Writes a dump of the frame, calls `use` with its path, and removes it. Returns the result of `use`.
 template <class Arrays, class Use>
 auto with_dump(const DumpedFrame& frame, const Arrays& arrays, const Use& use) {

@@ -98,14 +98,6 @@ TEST(Components, LieApartByAtLeastTwoTexelsOfAMask) {
   }
 }
 
-TEST(Components, OnlyTheLargestIsKeptWhereAsked) {
-  MeshOptions options = fresh();
-  options.largest_only = true;
-  const auto mesh = Shapes().triangle({0, 0, 4}, 9).octahedron({0, 0, 0}, 1).mesh(options);
-  EXPECT_EQ(topology(*mesh).components, 1u);
-  EXPECT_EQ(mesh->triangle.size(), 8u);
-}
-
 TEST(Components, ThatAreOpenAndSmallAreDropped) {
   const auto mesh =
       Shapes().octahedron({0, 0, 0}, 1).triangle({0, 0, 4}, 0.1f).octahedron({3, 0, 0}, 0.01f).mesh();

@@ -71,20 +71,13 @@ TEST(Rotate, TurnsAboutXThenYThenZ) {
   ASSERT_GT(size.z, size.x);
   ASSERT_GT(size.x, size.y);
 
-  const auto upright = turned_pyramid(folder, {-90, 0, 0});  // rotates z to y
-  EXPECT_NEAR(extent(*upright).y, size.z, 1e-5f);
-  EXPECT_NEAR(extent(*upright).z, size.y, 1e-5f);
-  const auto tip = std::max_element(upright->position.begin(), upright->position.end(),
-                                    [](const auto& a, const auto& b) { return a.y < b.y; });
-  EXPECT_NEAR(tip->x, 0.0f, 1e-5f);
-  EXPECT_NE(upright->hash, plain->hash);
-
   // The rotation about x maps the direction (0, 0, 1) to (0, 1, 0), and the rotation about z then maps (0, 1,
   // 0) to (-1, 0, 0). In the reverse order, (0, 0, 1) would be mapped to (0, 1, 0).
   const auto both = turned_pyramid(folder, {-90, 0, 90});
   EXPECT_NEAR(extent(*both).x, size.z, 1e-5f);
   EXPECT_NEAR(extent(*both).y, size.x, 1e-5f);
   EXPECT_NEAR(extent(*both).z, size.y, 1e-5f);
+  EXPECT_NE(both->hash, plain->hash);
 }
 
 TEST(Rotate, KeepsTheSurfaceAndTheMap) {

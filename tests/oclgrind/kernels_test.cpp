@@ -21,8 +21,6 @@
 #include "tests/support/oclgrind.hpp"
 #include "tests/support/synthetic.hpp"
 
-namespace fs = std::filesystem;
-
 namespace pelage {
 namespace {
 

@@ -67,12 +67,11 @@ TEST(TextMask, TextThatLeavesTheSquareIsRefused) {
 TEST(TextMask, FilesThatAreNoFontsAreRefused) {
   test::expect_has(failure_of({"I", "missing.ttf"}), "missing.ttf: there is no such font file");
   const test::Folder folder;
-  const auto file = folder.path / "a.ttf";
-  test::write_text(file, "not a font");
+  const std::string file = folder.write("a.ttf", "not a font");
   test::expect_has(failure_of({"I", file}), "not a readable font");
   // A font that is cut off must not crash the program.
-  test::write_text(file, test::text_of(default_font()).substr(0, 20000));
-  test::expect_has(failure_of({"I", file}), file.string());
+  folder.write("a.ttf", test::text_of(default_font()).substr(0, 20000));
+  test::expect_has(failure_of({"I", file}), file);
 }
 
 }  // namespace

@@ -82,16 +82,6 @@ TEST(Cells, AndClaimsTakeTheSameTimesOfAPhase) {
   }
 }
 
-TEST(Cells, RowsWithOtherIdentitiesAreNotCombined) {
-  auto rows = table1_rows(), other = table1_rows(2);
-  for (FoundRow& row : rows) row.row.identity = {{"scene", "1111111122222222"}};
-  for (FoundRow& row : other) row.row.identity = {{"scene", "5555555566666666"}};
-  rows.insert(rows.end(), other.begin(), other.end());
-  const auto cells = cells_of(rows);
-  ASSERT_EQ(cells.size(), 64u);
-  for (const Cell& cell : cells) EXPECT_EQ(cell.timings.processes.size(), 1u);
-}
-
 TEST(Cells, MetricsOfSeveralProcessesAreCombined) {
   std::vector<FoundRow> rows;
   for (const double value : {8.0, 10.0, 9.0}) {

@@ -1,5 +1,7 @@
 // Rows of results with synthetic times. The cases are those of the experiment silva2010-table1.
 #pragma once
+#include <fmt/format.h>
+
 
 #include <sstream>
 #include <string>
