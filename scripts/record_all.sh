@@ -38,6 +38,39 @@ measure() {
 }
 record() { part "$1" measure "$@"; }
 
+# Copies the rows of the folders RESULTS to results/, or to the folder $rows, and writes their tables and plots to the
+# folder FOLDER, which it deletes first. Usage: publish FOLDER RESULTS...
+publish() (
+  tables=$1 rows_in=${rows:-results}
+  shift
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  "$PELAGE" report "$@" -o "$work/report" 2>"$work/said" | sed 's/[[:blank:]]*$//' >"$work/report.txt"
+  for folder in "$@"; do
+    find "$folder" -name '*.jsonl' -printf '%h\n' | sort -u | while read -r place; do
+      rm -rf "${rows_in:?}/$(basename "$place")"
+    done
+  done
+  for folder in "$@"; do
+    # Two folders RESULTS may contain .jsonl files of the same name, with rows of the same experiment and device. The
+    # copies get different names, so that no file is overwritten.
+    find "$folder" -name '*.jsonl' | sort | while read -r file; do
+      place=$rows_in/$(basename "$(dirname "$file")")
+      mkdir -p "$place"
+      name=$(basename "$file" .jsonl) part=1
+      while [[ -e $place/$name$([[ $part = 1 ]] || echo "-$part").jsonl ]]; do part=$((part + 1)); done
+      cp "$file" "$place/$name$([[ $part = 1 ]] || echo "-$part").jsonl"
+    done
+  done
+  rm -rf "$tables"
+  mkdir -p "$tables"
+  cp "$work"/report/plots/*.{svg,pdf} "$tables/"
+  find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$tables/" \;
+  rm -f "$tables/all-phases.csv" # not recorded, because it can be rebuilt from the rows
+  sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$tables/provenance.txt"
+  cp "$work/report.txt" "$tables/report.txt"
+)
+
 # Experiments whose times decide claims run in three processes, so that the claims use the measured difference between
 # processes.
 part table1 scripts/record.sh --repeat 3
@@ -67,13 +100,13 @@ part profile-strands "$PELAGE" profile demoreuille2011-scaling --filter '^bunny-
 rm -rf results/wetfur2010-table1
 cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
-scripts/record_report.sh results/tables/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
-scripts/record_report.sh results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
-ROWS=results/avx2 scripts/record_report.sh results/tables/rivals-avx2 "$runs/avx2"
-scripts/record_report.sh results/tables/effects "$runs"/{overheads,readings,depth}
-scripts/record_report.sh results/tables/strands "$runs"/{strands,ways}
+publish results/tables/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
+publish results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
+rows=results/avx2 publish results/tables/rivals-avx2 "$runs/avx2"
+publish results/tables/effects "$runs"/{overheads,readings,depth}
+publish results/tables/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"
-scripts/record_report.sh results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
+publish results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
 for end in csv svg pdf; do cp "$runs/profile/profile.$end" "results/tables/profile/shells.$end"; done
 for end in csv svg pdf; do cp "$runs/profile-strands/profile.$end" "results/tables/profile/strands.$end"; done
 verdicts=$("$PELAGE" claims results --markdown)

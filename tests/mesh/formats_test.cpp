@@ -6,6 +6,7 @@
 
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
+#include "tests/mesh/gltf.hpp"
 #include "tests/mesh/temp_folder.hpp"
 #include "tests/support/texts.hpp"
 
@@ -93,20 +94,13 @@ std::string three_ds() {
   return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("octa\0", 5) + mesh)));
 }
 
-// Writes a glTF file with its buffers in a separate file, as most exporters do.
-std::string gltf(const test::Folder& folder) {
+std::string gltf_buffer() {
   std::string buffer;
   for (const auto& p : corner)
     for (const float x : p) put(buffer, x);
   for (const auto& t : face)
     for (const int index : t) put(buffer, std::uint16_t(index));
-  folder.write("octa.bin", buffer);
-  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
- "buffers": [{"uri": "octa.bin", "byteLength": 120}],
- "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 48}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3", "min": [-1, -1, -1], "max": [1, 1, 1]},
-               {"bufferView": 1, "componentType": 5123, "count": 24, "type": "SCALAR"}]})";
+  return buffer;
 }
 
 void expect_octahedron(const std::string& file) {
@@ -136,7 +130,8 @@ TEST_F(Formats, every_one_is_read) {
   expect_octahedron(folder.write("ascii.stl", stl(false)));
   expect_octahedron(folder.write("binary.stl", stl(true)));
   expect_octahedron(folder.write("octa.3ds", three_ds()));
-  expect_octahedron(folder.write("octa.gltf", gltf(folder)));
+  folder.write("octa.bin", gltf_buffer());
+  expect_octahedron(folder.write("octa.gltf", test::gltf_text("octa.bin", 6, 24)));
 }
 
 TEST_F(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "harness/mesh/soup.hpp"
+#include "tests/mesh/gltf.hpp"
 #include "tests/mesh/temp_folder.hpp"
 #include "tests/support/texts.hpp"
 
@@ -23,13 +24,7 @@ std::string buffer(float size) {
 }
 
 std::string gltf_with(const std::string& uri) {
-  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
-"buffers":[{"byteLength":72,"uri":")" +
-         uri +
-         R"("}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-2,-2,-2],"max":[2,2,2]},
-{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
+  return test::gltf_text(uri, 4, 12);
 }
 
 std::string refusal_of(const std::string& file) {

@@ -9,6 +9,7 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/record/journal.hpp"
 #include "harness/report/input_sets.hpp"
+#include "tests/mesh/gltf.hpp"
 
 namespace pelage::planted {
 namespace {
@@ -49,25 +50,14 @@ void write_files(const Folder& folder) {
   const std::vector<std::uint16_t> faces = torus_faces();
   std::string obj;
   for (std::size_t i = 0; i < points.size(); i += 3)
-    obj += "v " + std::to_string(points[i]) + " " + std::to_string(points[i + 1]) + " " +
-           std::to_string(points[i + 2]) + "\n";
+    obj += fmt::format("v {:f} {:f} {:f}
+", points[i], points[i + 1], points[i + 2]);
   for (std::size_t i = 0; i < faces.size(); i += 3)
-    obj += "f " + std::to_string(faces[i] + 1) + " " + std::to_string(faces[i + 1] + 1) + " " +
-           std::to_string(faces[i + 2] + 1) + "\n";
+    obj += fmt::format("f {} {} {}
+", faces[i] + 1, faces[i + 1] + 1, faces[i + 2] + 1);
   folder.write("own.obj", obj);
   folder.write("own.bin", bytes_of(points) + bytes_of(faces));
-  const std::string all = std::to_string(4 * points.size()), rest = std::to_string(2 * faces.size()),
-                    both = std::to_string(4 * points.size() + 2 * faces.size());
-  folder.write(
-      "buffered.gltf",
-      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":)" +
-          both + R"(,"uri":"own.bin"}],"bufferViews":[{"buffer":0,"byteLength":)" + all +
-          R"(},{"buffer":0,"byteOffset":)" + all + R"(,"byteLength":)" + rest +
-          R"(}],"accessors":[{"bufferView":0,"componentType":5126,"count":)" +
-          std::to_string(points.size() / 3) +
-          R"(,"type":"VEC3","min":[-2,-2,-2],"max":[2,2,2]},{"bufferView":1,"componentType":5123,"count":)" +
-          std::to_string(faces.size()) + R"(,"type":"SCALAR"}]})");
+  folder.write("buffered.gltf", test::gltf_text("own.bin", points.size() / 3, faces.size()));
   write_red(folder.path / "own.png", 0.5F);
   folder.write("own.toml", experiment("model = [\"own.obj\", \"buffered.gltf\"]\nsize = [\"320x240\"]",
                                       "fur.layers = 4\ncoat.image = \"own.png\""));
