@@ -1,6 +1,5 @@
 #include "harness/animation/frame_folder.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -1,7 +1,5 @@
 #include "harness/animation/frame_times.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/texts.hpp"
 

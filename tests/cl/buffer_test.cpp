@@ -1,7 +1,5 @@
 #include "harness/cl/buffer.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numeric>
 
 #include "harness/cl/program.hpp"

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "harness/cl/device.hpp"
 #include "harness/error.hpp"
 #include "tests/support/texts.hpp"

@@ -1,7 +1,5 @@
 #include "harness/cl/device.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <set>

@@ -1,7 +1,5 @@
 #include "harness/cl/drivers.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <fstream>
 

@@ -2,8 +2,6 @@
 // a buffer.
 #include "tests/support/oclgrind.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 
 #include "harness/cl/program.hpp"

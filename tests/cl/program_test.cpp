@@ -1,7 +1,6 @@
 #include "harness/cl/program.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "harness/claims/claim.hpp"
 #include "tests/claims/rows.hpp"
 #include "tests/support/texts.hpp"

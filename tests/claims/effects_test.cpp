@@ -1,8 +1,6 @@
 // Tests every effect and every quantity of a claim (docs/experiments.md) against values computed by hand.
 #include "harness/claims/effects.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "tests/claims/rows.hpp"

@@ -1,8 +1,6 @@
 // Tests which rows decide a claim, the effect of the number of processes, and the reasons of other verdicts.
 #include "harness/claims/judge.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/claims/print.hpp"
 #include "tests/claims/rows.hpp"
 #include "tests/support/texts.hpp"

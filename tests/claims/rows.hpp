@@ -1,7 +1,6 @@
 // Helpers for tests of claims: rows of results with synthetic times, and claims as TOML text.
 #pragma once
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <string>
 #include <vector>

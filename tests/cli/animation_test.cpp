@@ -1,6 +1,4 @@
 // Runs the commands of docs/meshes.md with a smaller picture and fewer frames.
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "tests/cli/document.hpp"

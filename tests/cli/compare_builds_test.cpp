@@ -1,7 +1,5 @@
 // Tests scripts/compare_builds.py with two equal builds: it must draw frames with the two builds alternately,
 // and print the ratios of the frame times of the builds.
-#include <gtest/gtest.h>
-
 #include <cstdio>
 
 #include "tests/cli/shell.hpp"

@@ -1,7 +1,5 @@
 // Compares the tables of equations in docs/shells.md and docs/springs.md with the comments of the kernels and
 // the names of the tests.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <regex>
 #include <set>

@@ -1,6 +1,4 @@
 // Runs the commands of docs/extending.md block by block, as a reader would.
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <iterator>
 #include <set>

@@ -1,6 +1,5 @@
 // Tests `pelage diagram`, the option --case, and the pages of the papers' figures.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

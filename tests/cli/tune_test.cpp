@@ -1,7 +1,5 @@
 // Tests pelage tune with two bad configurations of the kernels: one computes a wrong picture, and one cannot
 // run.
-#include <gtest/gtest.h>
-
 #include "tests/cli/shell.hpp"
 
 namespace pelage::cli {

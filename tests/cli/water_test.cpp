@@ -1,6 +1,4 @@
 // Tests pelage water, and a scene whose water changes over time in the pipelines of pelage render.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <sstream>
 #include <vector>

@@ -1,8 +1,6 @@
 // Tests the exact distances from a closed mesh, and the coarse distance field of a body.
 #include "harness/distance/field.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>

@@ -2,7 +2,6 @@
 #include "harness/dump/dump.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <hdf5.h>
 
 #include <algorithm>

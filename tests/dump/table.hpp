@@ -2,7 +2,6 @@
 // document.
 #pragma once
 #include <fmt/ranges.h>
-#include <gtest/gtest.h>
 #include <hdf5.h>
 
 #include <cstdlib>

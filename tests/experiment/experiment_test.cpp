@@ -1,7 +1,5 @@
 #include "harness/experiment/experiment.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "tests/support/files.hpp"

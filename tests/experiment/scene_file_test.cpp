@@ -1,6 +1,4 @@
 // Tests experiments whose table [scene] names a scene file: file = "my.toml".
-#include <gtest/gtest.h>
-
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/files.hpp"

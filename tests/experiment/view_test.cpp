@@ -1,7 +1,5 @@
 #include "harness/experiment/view.hpp"
 
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
 #include "harness/experiment/experiment.hpp"

@@ -1,7 +1,6 @@
 // Tests that the documents name functions and files that exist, that their links lead somewhere, that the
 // code cites documents and sections that exist, and that docs/code.md names every folder that contains code.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,4 @@
 // Tests that the tables of recorded results in README.md and results/README.md are those of results/tables.
-#include <gtest/gtest.h>
-
 #include "tests/support/files.hpp"
 
 namespace fs = std::filesystem;

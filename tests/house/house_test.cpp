@@ -1,7 +1,5 @@
 // Tests that the repository obeys its own rules, and that the functions of rules.hpp find deliberate
 // violations.
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <functional>

@@ -2,7 +2,6 @@
 // mutants of tests/mutants and runs the tests that must detect them. The tests in this file check that the
 // text that a mutant replaces occurs exactly once in the sources.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"

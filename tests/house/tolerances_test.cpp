@@ -1,7 +1,6 @@
 // Tests that only harness/compare/tolerances.hpp defines tolerances. A tolerance is a number that decides
 // whether a result is accepted.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>

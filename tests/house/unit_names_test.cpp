@@ -1,8 +1,6 @@
 // Up to 16 files of a folder are compiled as one unit (docs/code.md), so the functions of their anonymous
 // namespaces are one set of overloads. If two files had functions of the same name, a call could select the
 // function of the other file without a word. The names must therefore differ.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <map>
 #include <regex>

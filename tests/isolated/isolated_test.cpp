@@ -1,7 +1,6 @@
 // Tests the memory and time limits of the separate process that prepares a mesh.
 #include "harness/isolated/isolated.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 

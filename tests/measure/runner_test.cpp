@@ -1,6 +1,5 @@
 #include "harness/measure/runner.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <algorithm>

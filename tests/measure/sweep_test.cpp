@@ -1,7 +1,6 @@
 // Kills, resumes and divides sweeps (runs of all cases of an experiment) with the program and the preset
 // `smoke`.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

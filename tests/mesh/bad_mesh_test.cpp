@@ -1,7 +1,5 @@
 // Tests bad mesh files. For each file, load_model() must throw an error with a message of one line. It must
 // not crash.
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <sstream>
 

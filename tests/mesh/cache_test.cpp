@@ -1,7 +1,5 @@
 #include "harness/mesh/cache.hpp"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
 
 #include "tests/mesh/temp_folder.hpp"

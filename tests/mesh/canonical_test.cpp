@@ -1,6 +1,5 @@
 // Tests that a surface gives the same mesh in whatever order its file lists points, faces and corners.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

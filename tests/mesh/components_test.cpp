@@ -2,7 +2,6 @@
 #include "harness/mesh/components.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -2,8 +2,6 @@
 // sphere.
 #include "harness/mesh/finish.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>

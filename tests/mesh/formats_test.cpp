@@ -1,6 +1,4 @@
 // Tests that the same octahedron or tetrahedron is read from every file format.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,5 @@
 // Tests the computation of UV maps for large mesh files: the linear solver LaplaceSolver, and flatten(). Also
 // tests the progress messages of load_model().
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>

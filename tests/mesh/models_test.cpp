@@ -1,7 +1,5 @@
 #include "harness/mesh/models.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,5 @@
 // Tests files of archives, mesh files that refer to other files, and mesh files that begin with a byte-order
 // mark.
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <cstdlib>

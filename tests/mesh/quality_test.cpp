@@ -1,7 +1,5 @@
 #include "harness/mesh/quality.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "harness/mesh/unfold.hpp"

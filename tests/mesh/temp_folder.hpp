@@ -1,6 +1,4 @@
 #pragma once
-#include <gtest/gtest.h>
-
 #include <optional>
 
 #include "harness/mesh/mesh.hpp"

@@ -1,7 +1,5 @@
 #include "harness/page/page.hpp"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>

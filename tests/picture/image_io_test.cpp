@@ -2,7 +2,6 @@
 // read again. Also tests that a failed write leaves no incomplete file.
 #include "harness/picture/image_io.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <cmath>

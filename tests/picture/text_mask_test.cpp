@@ -1,8 +1,6 @@
 // Tests that text is painted where the scene places it, and that fonts which cannot be read are refused.
 #include "harness/picture/text_mask.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
 

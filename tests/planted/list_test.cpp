@@ -1,6 +1,4 @@
 // Tests that docs/results.md lists exactly the tests of this folder.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <regex>
 #include <vector>

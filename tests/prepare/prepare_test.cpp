@@ -1,7 +1,5 @@
 #include "harness/prepare/prepare.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

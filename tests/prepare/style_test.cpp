@@ -1,8 +1,6 @@
 // Tests the preparation of maps and colliders, and the refusal of bad ones.
 #include "harness/prepare/style.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "harness/error.hpp"

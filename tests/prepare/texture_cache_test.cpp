@@ -1,7 +1,5 @@
 #include "harness/prepare/texture_cache.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/prepare/coat.hpp"

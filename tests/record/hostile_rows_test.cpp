@@ -1,6 +1,5 @@
 // Tests rows with a valid checksum whose contents no version of pelage would write.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
 
 #include <functional>

@@ -1,8 +1,6 @@
 // Tests which rows pelage refuses, which cases run again, and that several copies of a row count as one row.
 #include "harness/record/identity.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/record/journal.hpp"
 #include "harness/record/results_folder.hpp"
 #include "tests/support/fake.hpp"

@@ -1,7 +1,6 @@
 #include "harness/record/journal.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <zlib.h>

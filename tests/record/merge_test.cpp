@@ -1,8 +1,6 @@
 // Tests into which journals a merge writes rows, and which it leaves out or refuses.
 #include "harness/record/merge.hpp"
 
-#include <gtest/gtest.h>
-
 #include <functional>
 #include <set>
 #include <sstream>

@@ -1,8 +1,6 @@
 // The direction of a ratio follows from its name alone; earlier schemas are read under the present names.
 #include "harness/record/ratios.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/fake.hpp"
 #include "tests/support/texts.hpp"
 

@@ -1,8 +1,6 @@
 // Tests run_states(), which finds the shards and cases of a run that have no rows.
 #include "harness/record/shards.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/fake.hpp"
 
 namespace pelage {

@@ -1,6 +1,4 @@
 // Tests the remarks below the table of any experiment, the names of cases and columns in them, and plots.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "harness/report/case_table.hpp"

@@ -1,7 +1,5 @@
 #include "harness/report/comparison.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"

@@ -1,7 +1,5 @@
 #include "harness/report/profile.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/report/plot.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"

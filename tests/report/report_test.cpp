@@ -1,7 +1,5 @@
 #include "harness/report/report.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <fstream>
 #include <regex>

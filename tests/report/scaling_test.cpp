@@ -1,7 +1,5 @@
 // Tests the text on the cost of layers, and that plots/scaling.py finds the coefficients of a synthetic
 // table.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

@@ -1,8 +1,6 @@
 // Tests that the tables of a report contain every case, and that the plots name the right columns.
 #include "harness/report/sections.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,6 @@
 // Tests keys that change over time: reading, errors, interpolation, writing and hashing.
 #include "harness/scene/keyframes.hpp"
 
-#include <gtest/gtest.h>
-
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"

@@ -1,7 +1,5 @@
 // Tests that the error for a bad scene is one line that names the file, the line number, the key and the
 // permitted values.
-#include <gtest/gtest.h>
-
 #include "harness/error.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/texts.hpp"

@@ -1,7 +1,5 @@
 // Tests that writing and reading a scene preserves the value of every key: its default, its bounds and values
 // between the bounds.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <map>

@@ -3,8 +3,6 @@
 // pictures fails its check, the row fails.
 #include "harness/subjects/in_turns.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/fake.hpp"
 #include "tests/support/texts.hpp"
 

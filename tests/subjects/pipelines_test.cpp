@@ -1,8 +1,6 @@
 // Tests the table of pipelines, and the experiments with the OpenGL baseline.
 #include "harness/subjects/pipelines.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>

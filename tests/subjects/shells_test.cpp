@@ -1,8 +1,6 @@
 // Tests what the OpenCL and the OpenGL pipeline write into a row of results.
 #include "harness/shells/opencl/shells.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/measure/runner.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/subjects/frames.hpp"

@@ -1,7 +1,6 @@
 #include "harness/table/table.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>

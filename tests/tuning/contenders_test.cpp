@@ -1,7 +1,5 @@
 #include "harness/tuning/contenders.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/support/files.hpp"
