@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -15,14 +16,6 @@ using test::text_of;
 
 /// The name of an equation, and the name of a function that computes the equation.
 using Line = std::pair<std::string, std::string>;
-
-std::vector<std::string> all(const std::string& text, const std::regex& pattern) {
-  std::vector<std::string> found;
-  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
-    found.push_back((*match)[1].matched ? (*match)[1].str() : match->str());
-  }
-  return found;
-}
 
 const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 
@@ -39,7 +32,8 @@ std::set<Line> anchors_of(const std::string& source) {
       continue;
     }
     if (std::regex_search(line, match, function)) {
-      for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
+      for (const std::string& equation : test::matches(comment, numbered))
+        anchors.emplace(equation, match[1]);
     } else {
       // The comment ends at a line that contains neither a comment nor a function. A line with a function
       // does not end the comment, because the comment may also describe the function on the next line.
@@ -73,9 +67,9 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
         row.rfind("| Algorithm", 0) != 0)
       continue;
     const std::string equations = row.substr(0, row.find('|', 1));
-    const std::vector<std::string> names = all(row, quoted);
+    const std::vector<std::string> names = test::matches(row, quoted);
     ASSERT_GE(names.size(), 5u) << row << " has no test";
-    for (const std::string& equation : all(equations, numbered)) table.emplace(equation, names[0]);
+    for (const std::string& equation : test::matches(equations, numbered)) table.emplace(equation, names[0]);
     // names[0] is a function of the kernels, and names[1] is its file. names[2] is a function of the
     // reference, and names[3] is its file.
     for (std::size_t i = 0; i < 4; i += 2)

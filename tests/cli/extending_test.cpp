@@ -1,6 +1,5 @@
 // Runs the commands of docs/extending.md block by block, as a reader would.
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -17,12 +16,7 @@ void apply(const std::string& diff, const std::filesystem::path& source,
   std::string before, after;
   const auto replace = [&] {
     if (before.empty()) return;
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    const std::size_t at = text.find(before);
-    ASSERT_NE(at, std::string::npos) << file << " does not contain\n" << before;
-    ASSERT_EQ(text.find(before, at + 1), std::string::npos) << file << " contains more than once\n" << before;
-    std::ofstream(file, std::ios::binary) << text.replace(at, before.size(), after);
+    test::write_text(file, test::replaced(test::text_of(file), before, after));
     before = after = "";
   };
   std::istringstream lines(diff);

@@ -39,12 +39,6 @@ TEST_F(TopologyCommand, CountsThePapersModels) {
   expect_lacks(pelage("topology banisch-elephant --faces 1146").out, "1247");
 }
 
-std::size_t count_of(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
-  return count;
-}
-
 // The drawing has one panel for each of the four topologies. The test counts the SVG elements. Each panel
 // must contain every triangle of the mesh once, and every mass and spring of its topology once.
 TEST_F(TopologyCommand, DrawsWhatItCounts) {
@@ -52,10 +46,10 @@ TEST_F(TopologyCommand, DrawsWhatItCounts) {
   const std::string svg = folder.read("grass.svg");
   EXPECT_TRUE(svg.starts_with("<svg ")) << svg.substr(0, 40);
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
-  EXPECT_EQ(count_of(svg, "class=\"skin\""), 4 * 16u);
-  EXPECT_EQ(count_of(svg, "class=\"stick\""), 13 + 13 + 48 + 48u);
-  EXPECT_EQ(count_of(svg, "class=\"edge\""), 28 + 48u);
-  EXPECT_EQ(count_of(svg, "<circle"), 26 + 26 + 96 + 96u);
+  EXPECT_EQ(test::count_of(svg, "class=\"skin\""), 4 * 16u);
+  EXPECT_EQ(test::count_of(svg, "class=\"stick\""), 13 + 13 + 48 + 48u);
+  EXPECT_EQ(test::count_of(svg, "class=\"edge\""), 28 + 48u);
+  EXPECT_EQ(test::count_of(svg, "<circle"), 26 + 26 + 96 + 96u);
   expect_has(svg, "separable-prisms: 96 masses, 96 springs");
 }
 

@@ -5,8 +5,6 @@
 #include <hdf5.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -141,14 +139,13 @@ inline std::string table_of(const std::vector<Dumped>& dumps) {
 /// environment variable PELAGE_WRITE_DUMP_TABLES, writes the table into the document instead.
 inline void expect_in_document(const std::string& name, const std::string& table) {
   const std::filesystem::path path = std::filesystem::path(PELAGE_SOURCE_DIR) / "docs/dump.md";
-  std::ifstream file(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = test::text_of(path);
   const std::string mark = "<!-- " + name + " begins -->\n";
   const auto begin = text.find(mark), end = text.find("<!-- " + name + " ends -->");
   ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << "docs/dump.md has no mark " << mark;
   const auto from = begin + mark.size();
   if (std::getenv("PELAGE_WRITE_DUMP_TABLES"))
-    std::ofstream(path) << text.substr(0, from) << table << text.substr(end);
+    test::write_text(path, text.substr(0, from) + table + text.substr(end));
   else
     EXPECT_EQ(text.substr(from, end - from), table)
         << "write it: PELAGE_WRITE_DUMP_TABLES=1 test_dump --gtest_filter='*DumpTable*'";

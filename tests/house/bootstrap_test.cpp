@@ -15,8 +15,7 @@ struct Outcome {
   std::string calls;  // one line per call of a stub
 };
 
-class Bootstrap : public Checkout {
- protected:
+struct Bootstrap : Checkout {
   void SetUp() override {
     copy_of_repository("bootstrap.sh");
     write("checkout/packages.txt", "cmake\n# a comment\nlibexample-dev   # its reason\n");

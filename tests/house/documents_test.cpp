@@ -15,6 +15,7 @@
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace fs = std::filesystem;
 using pelage::house::root;
@@ -23,10 +24,8 @@ namespace {
 
 std::set<std::string> words_of(const std::string& text) {
   static const std::regex word(R"([A-Za-z_]\w*)");
-  std::set<std::string> words;
-  for (std::sregex_iterator match(text.begin(), text.end(), word), end; match != end; ++match)
-    words.insert(match->str());
-  return words;
+  const std::vector<std::string> words = pelage::test::matches(text, word);
+  return {words.begin(), words.end()};
 }
 
 /// The words of the source files and the names of the kernel files. A document may name only functions and

@@ -1,5 +1,6 @@
 // Tests that the tables of recorded results in README.md and results/README.md are those of results/tables.
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace fs = std::filesystem;
 
@@ -10,10 +11,7 @@ int exit_of_check(const fs::path& tree) {
 }
 
 void replace_once(const fs::path& file, const std::string& from, const std::string& to) {
-  std::string text = pelage::test::text_of(file);
-  const std::size_t at = text.find(from);
-  ASSERT_NE(at, std::string::npos) << file << " does not contain " << from;
-  pelage::test::write_text(file, text.replace(at, from.size(), to));
+  pelage::test::write_text(file, pelage::test::replaced(pelage::test::text_of(file), from, to));
 }
 
 }  // namespace

@@ -9,8 +9,7 @@
 namespace pelage::house {
 namespace {
 
-class Lint : public Checkout {
- protected:
+struct Lint : Checkout {
   void SetUp() override {
     if (std::system("git --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no git";
     copy_of_repository(".ci/lint");

@@ -51,16 +51,18 @@ TEST_F(Runner, AnOkRowHoldsItsSamplesAndSaysWhereItComesFrom) {
   EXPECT_EQ(row.image_hash.size(), 16u);
 }
 
+/// A subject whose frames take at least `ms`.
 struct Slow : FakeSubject {
-  Slow() : FakeSubject(10) {}
+  explicit Slow(int ms) : FakeSubject(10), ms_(ms) {}
   FrameSample frame() override {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(std::chrono::milliseconds(ms_));
     return FakeSubject::frame();
   }
+  int ms_;
 };
 
 TEST_F(Runner, ARowSaysWhatOtherProcessesTook) {
-  const Row row = row_of<Slow>();
+  const Row row = row_of<Slow>(100);
   ASSERT_EQ(row.status, Status::ok) << row.reason;
   if (!std::ifstream("/proc/stat")) GTEST_SKIP() << "no /proc/stat";
   ASSERT_TRUE(row.provenance.contains("other_cpu_share"));
@@ -157,22 +159,13 @@ TEST_F(Runner, ASpentBudgetLeavesTheRest) {
   EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
 }
 
-/// A subject whose frames take at least 1 ms. The times that it reports grow from frame to frame, so their
-/// median never reaches the required precision.
-struct Endless : FakeSubject {
-  Endless() : FakeSubject(10) {}
-  FrameSample frame() override {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return FakeSubject::frame();
-  }
-};
-
+// The reported times grow from frame to frame, so their median never reaches the required precision.
 TEST_F(Runner, CasesThatNeverConvergeShareTheBudget) {
   RunPlan plan = fake_plan(4);
   plan.limits = {0, 1, 1000000, 0, 100};
   plan.budget_s = 0.8;
   const RunSummary summary = run_cases(
-      plan, [](const Case&) { return std::make_unique<Endless>(); }, journal);
+      plan, [](const Case&) { return std::make_unique<Slow>(1); }, journal);
   EXPECT_EQ(summary.ok, 4u);
   EXPECT_EQ(summary.left, 0u) << "the first case took the budget of the others";
 }

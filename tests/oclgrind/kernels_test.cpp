@@ -20,6 +20,7 @@
 #include "tests/strands/support/strands.hpp"
 #include "tests/support/oclgrind.hpp"
 #include "tests/support/synthetic.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -29,10 +30,9 @@ struct Findings {
   std::set<std::string> kernels, ran;
 };
 
-std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
-  std::set<std::string> found;
-  for (std::sregex_iterator m(text.begin(), text.end(), pattern), end; m != end; ++m) found.insert((*m)[1]);
-  return found;
+std::set<std::string> names_in(const std::string& text, const std::string& pattern) {
+  const std::vector<std::string> all = test::matches(text, std::regex(pattern));
+  return {all.begin(), all.end()};
 }
 
 /// Returns the end of the printed output, which shows the result of the tests. With --inst-counts, oclgrind
@@ -50,8 +50,8 @@ Findings findings(const std::string& tests, const std::string& checks, const std
   const UnderOclgrind run = under_oclgrind(
       tests, "--build-options -cl-opt-disable --num-threads 1 --inst-counts " + checks, environment);
   return {run.status == 0 ? run.log : run.log + last_words(run.printed),
-          matches(run.printed, std::regex("kernel: (\\w+)")),
-          matches(run.printed, std::regex("Instructions executed for kernel '(\\w+)'"))};
+          names_in(run.printed, "kernel: (\\w+)"),
+          names_in(run.printed, "Instructions executed for kernel '(\\w+)'")};
 }
 
 cl::Device device() {
@@ -112,7 +112,7 @@ TEST(DISABLED_Tiny, Names) {
     std::string names(size, '\0');
     ASSERT_EQ(clGetProgramInfo(program.get(), CL_PROGRAM_KERNEL_NAMES, size, names.data(), nullptr),
               CL_SUCCESS);
-    for (const std::string& name : matches(names, std::regex("(\\w+)"))) fmt::print("kernel: {}\n", name);
+    for (const std::string& name : names_in(names, "(\\w+)")) fmt::print("kernel: {}\n", name);
   }
 }
 

@@ -14,12 +14,6 @@ namespace {
 
 using namespace test;
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
-  return n;
-}
-
 /// Returns the nonce in the Content-Security-Policy of the page, or "" if the policy has none.
 std::string nonce_of(const std::string& page) {
   const std::string policy = "script-src 'nonce-";
@@ -58,12 +52,12 @@ TEST_F(Page, HostileNamesAreText) {
   const std::string number = nonce_of(page);
   EXPECT_EQ(number.size(), 32u);
   EXPECT_EQ(number.find_first_not_of("0123456789abcdef"), std::string::npos);
-  EXPECT_EQ(count(page, "<script nonce=\"" + number + "\">"), count(page, "</script>") - 1)
+  EXPECT_EQ(count_of(page, "<script nonce=\"" + number + "\">"), count_of(page, "</script>") - 1)
       << "one more closes the element with the data";
-  EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
+  EXPECT_EQ(count_of(page, "<script"), count_of(page, "</script>"));
   const std::string other = page_of(write_reports(rows, folder.path / "other", no_note), parts);
   EXPECT_EQ(other.find(number), std::string::npos) << "each page has its own nonce";
-  EXPECT_GT(count(page, "&lt;img src=x onerror"), 3u);
+  EXPECT_GT(count_of(page, "&lt;img src=x onerror"), 3u);
 
   const std::string open = "<script type=\"application/json\" id=\"data\">";
   const std::size_t start = page.find(open) + open.size();
@@ -78,7 +72,7 @@ TEST_F(Page, ThePolicyNamesEveryScript) {
   const std::string page = page_of(write_reports(test::table1_rows(), folder.path, no_note), {});
   test::expect_has(page, "default-src 'none'");
   test::expect_lacks(page, "script-src 'unsafe-inline'");
-  EXPECT_EQ(count(page, "<script nonce=\"" + nonce_of(page) + "\">"), 4u);
+  EXPECT_EQ(count_of(page, "<script nonce=\"" + nonce_of(page) + "\">"), 4u);
   test::expect_lacks(page, {" src=\"http", " href=\"http"});
 }
 
@@ -101,7 +95,7 @@ TEST_F(Page, CellsLeadToRows) {
   const std::string body = body_of(reports, {});
   for (int cell = 0; cell < 32; ++cell)
     EXPECT_NE(body.find(fmt::format("data-cell=\"{}\"", cell)), std::string::npos) << cell;
-  EXPECT_EQ(count(body, "<tr data-row="), 64u);
+  EXPECT_EQ(count_of(body, "<tr data-row="), 64u);
   EXPECT_FALSE(data["parts"][0]["files"]["silva2010-table1.csv"].get<std::string>().empty());
 }
 
@@ -130,7 +124,7 @@ TEST_F(Page, OnePageHasAllSets) {
   write_page(reports, folder.path / "index.html");
   const std::string page = folder.read("index.html");
   test::expect_has(page, "Results, set 2");
-  EXPECT_EQ(count(page, "<tr data-row="), 64u);
+  EXPECT_EQ(count_of(page, "<tr data-row="), 64u);
   EXPECT_FALSE(fs::exists(folder.path / "inputs-2/index.html"));
   EXPECT_TRUE(fs::exists(folder.path / "inputs-2/tables/all-phases.csv"));
 }
@@ -140,12 +134,12 @@ TEST_F(Page, PlotsHaveTheirValues) {
   const std::vector<Report> reports = write_reports(test::table1_rows(), folder.path, no_note);
   if (reports[0].plots.empty()) GTEST_SKIP() << "matplotlib is not installed";
   const std::string body = body_of(reports, {});
-  EXPECT_EQ(count(body, "<figure class=\"plot\">"), reports[0].plots.size());
+  EXPECT_EQ(count_of(body, "<figure class=\"plot\">"), reports[0].plots.size());
   test::expect_has(body, "data-file=\"silva2010-table1.csv\">CSV of the plot");
-  EXPECT_EQ(count(body, "<?xml"), 0u);
-  EXPECT_EQ(count(body, "<metadata"), 0u);
+  EXPECT_EQ(count_of(body, "<?xml"), 0u);
+  EXPECT_EQ(count_of(body, "<metadata"), 0u);
   // 32 cases, with our number and the paper's.
-  EXPECT_EQ(count(body, "</title></use>"), 64u);
+  EXPECT_EQ(count_of(body, "</title></use>"), 64u);
 }
 
 /// page_pictures() reduces the width of the pictures until their total size is within the limit, and leaves
@@ -183,7 +177,7 @@ TEST_F(Page, PicturesAreReducedToTheLimit) {
   PageParts parts;
   parts.pictures = pictures;
   const std::string body = body_of(reports, parts);
-  EXPECT_EQ(count(body, "src=\"data:image/webp;base64,"), 3u);
+  EXPECT_EQ(count_of(body, "src=\"data:image/webp;base64,"), 3u);
 }
 
 TEST_F(Page, APlaceThatCannotBeWritten) {

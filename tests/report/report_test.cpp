@@ -129,10 +129,8 @@ std::set<std::string> tick_labels(const std::string& scale) {
   EXPECT_EQ(draw_plot(plot_program("plot"), folder.path / "t.csv", folder.path / "t"), "");
   const std::string svg = folder.read("t.svg");
   static const std::regex label(">([0-9.]+)</text>");
-  std::set<std::string> labels;
-  for (std::sregex_iterator found(svg.begin(), svg.end(), label), end; found != end; ++found)
-    labels.insert((*found)[1]);
-  return labels;
+  const std::vector<std::string> labels = matches(svg, label);
+  return {labels.begin(), labels.end()};
 }
 
 // On an axis from 48 to 56, a difference of 8% would look like the whole height of the plot.

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <regex>
 #include <source_location>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +14,34 @@
 #include "harness/error.hpp"
 
 namespace pelage::test {
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Returns how often the text has the part.
+inline std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++count;
+  return count;
+}
+
+/// Replaces the only `from` in the text by `to`. The test ends if the text does not have `from` exactly once.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  if (count_of(text, from) != 1)
+    throw std::runtime_error(from + "\nis there " + std::to_string(count_of(text, from)) +
+                             " times, not once");
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// Returns the parts of the text that match the pattern: their group 1, or all of it if the pattern has none.
+inline std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
+  const int group = pattern.mark_count() > 0 ? 1 : 0;
+  return {std::sregex_token_iterator(text.begin(), text.end(), pattern, group), {}};
+}
 
 /// Returns the message of the Error that work() throws, or `otherwise` if it throws none.
 template <class Error = InputError, class Work>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <random>
-#include <sstream>
 
 #include "harness/base/numbers.hpp"
 #include "harness/table/pivot.hpp"
@@ -33,13 +32,6 @@ Table cases() {
   for (auto& line : table.lines)
     if (line[0].data == "cow") line[0].mark = "a";
   return table;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
 }
 
 TEST(Table, OrdersValuesAsReadersDo) {
@@ -109,7 +101,7 @@ TEST(Pivot, ShowsEveryLine) {
 
 TEST(Formats, AsText) {
   const std::string text = text_of(cases());
-  const auto lines = lines_of(text);
+  const auto lines = test::lines_of(text);
   ASSERT_EQ(lines.size(), 12u) << text;
   EXPECT_EQ(lines[0], "Title: experiment on <device> & 100%");
   EXPECT_EQ(lines[2], "16 layers   800x600   1680x1050") << text;
@@ -124,7 +116,7 @@ TEST(Formats, AsCsv) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
   // An apostrophe prevents a spreadsheet from taking a text for a formula. Numbers get no apostrophe.
   EXPECT_EQ(csv_line({"=1+1", "@x", "-a", "-1.5e-3", "+2", "-"}), "'=1+1,'@x,'-a,-1.5e-3,+2,'-\n");
-  const auto lines = lines_of(csv_of(cases()));
+  const auto lines = test::lines_of(csv_of(cases()));
   ASSERT_EQ(lines.size(), 9u);
   EXPECT_EQ(lines[0], "model,layers,size,ms");
   EXPECT_EQ(lines[1], "torus,16,1680x1050,1");
