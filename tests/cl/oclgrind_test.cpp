@@ -29,9 +29,7 @@ TEST_F(Oclgrind, SeesAPlantedOverrun) {
   test::expect_has(said, "Invalid write");
 }
 
-// Writes to one element of a buffer of four floats. The environment variable PELAGE_TEST_INDEX gives the
-// index of the element; without it, the test writes to the last element. A test above sets the index 4, which
-// is outside the buffer.
+// Writes to the element PELAGE_TEST_INDEX of a buffer of four floats, or to the last one.
 TEST(Written, WhereTheHostSays) {
   const char* planted = std::getenv("PELAGE_TEST_INDEX");
   const fs::path before = cl::kernel_folder();

@@ -18,8 +18,7 @@ TEST_F(Tune, DryRunPrintsTheAxesAndStoresNothing) {
 
 TEST_F(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
   fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels", fs::copy_options::recursive);
-  // The test inserts two bad configurations into a copy of the kernels. If TILE_W is 8, the inserted code
-  // regards a pixel as opaque at a transmittance of 0.9. With this code the kernel is fast, but its picture
+  // If TILE_W is 8, a pixel counts as opaque at a transmittance of 0.9: the kernel is fast, but its picture
   // is wrong. TILE_H = 7 is not a valid tile height.
   const std::string opaque = "#define OPAQUE 0.001953125f";
   folder.edit("kernels/rasterize/params.h", opaque,

@@ -74,10 +74,7 @@ TEST(House, LaunchesKernelsInOnePlaceAndInGroupsOfAKnownSize) {
   pelage::test::expect_has(pelage::test::text_of(root / "harness/cl/program.cpp"), "clEnqueueNDRangeKernel(");
 }
 
-// Each mapping (a way to distribute the pixels over work-items), pipeline, solver, topology and shading model
-// has a name. The name may occur in the files that implement the named part, and in the table of its kind
-// (for example, the table of all mappings). It may also occur in at most two other code lines of harness/ and
-// bench/. The script scripts/names.py checks this rule.
+// The script has the rule for the names of mappings, pipelines, solvers, topologies and shading models.
 TEST(Names, AreInOneTable) {
   EXPECT_EQ(std::system("python3 '" PELAGE_SOURCE_DIR "/scripts/names.py'"), 0);
 }
@@ -196,9 +193,7 @@ TEST(House, PlantedTextsAreFound) {
   EXPECT_EQ(text_faults("long.md", words + "a\n").size(), 1u);
 }
 
-// rules.hpp describes two computations, each of which may occur in only one kernel file. The lines of
-// `copies` repeat these computations. copy_faults() must report each of these lines if another kernel file
-// contains it.
+// Lines of the two computations that rules.hpp describes.
 TEST(House, PlantedCopiesOfAComputationAreFound) {
   const char* const copies[] = {"  h.iw = fma(b2, iw2 - iw, fma(b1, iw1 - iw, iw));",
                                 "  h.b1 = b1 * iw1 * w;",
@@ -222,9 +217,7 @@ TEST(House, PlantedCopiesOfAComputationAreFound) {
   for (const char* other : others)
     EXPECT_TRUE(copy_faults("kernels/rasterize/tile/points.clh", other).empty()) << other;
   EXPECT_TRUE(copy_faults("harness/shells/reference/render.cpp", copies[1]).empty());
-  // copies[1] is perspective-correct interpolation, so copy_faults() must accept it in perspective.clh.
-  // perspective.clh and surface.clh must each contain one of the two computations, so copy_faults() must
-  // report these files if they are empty.
+  // copies[1] is perspective-correct interpolation. Each of the two files must contain its own computation.
   EXPECT_TRUE(copy_faults("kernels/rasterize/coverage/perspective.clh", copies[1]).empty());
   EXPECT_EQ(copy_faults("kernels/rasterize/coverage/perspective.clh", "").size(), 1u);
   EXPECT_EQ(copy_faults("kernels/rasterize/shading/surface.clh", "").size(), 1u);

@@ -20,10 +20,8 @@ struct Lint : Checkout {
     ASSERT_EQ(shell("git init -q -b main && git add . && git commit -q -m first"), 0);
     for (int i = 0; i < 10; ++i) ASSERT_EQ(shell("git commit -q --allow-empty -m next"), 0);
   }
-  // Installs a stub of clang-tidy. The stub records the name of the source file that it should check, and
-  // then runs the shell code `body`. Also installs a stub of nproc that reports one processor, so .ci/lint
-  // checks the files one after another. The names are therefore recorded in the order of the checks. A stub
-  // of cmake configures nothing.
+  // Installs a stub of clang-tidy, which records the name of its source file and runs the shell code `body`.
+  // With one processor (the stub of nproc), .ci/lint checks the files in their order.
   void clang_tidy(const std::string& body) const {
     stub("clang-tidy",
          fmt::format("for file; do :; done\necho \"$file\" >>'{}'\n{}", path("notes").string(), body));
@@ -73,9 +71,8 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// A run of .ci/lint with a time limit may check only some of the unchanged files. After each commit, .ci/lint
-// therefore starts at another file of the list of unchanged files. After enough commits, the runs have
-// checked every file.
+// A run with a time limit may check only some of the unchanged files, so each commit makes .ci/lint start at
+// another one.
 TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
   for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
   ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);

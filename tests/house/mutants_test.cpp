@@ -1,6 +1,5 @@
-// A mutant is a deliberate mistake: it replaces a text of the sources by a wrong text. .ci/full applies the
-// mutants of tests/mutants and runs the tests that must detect them. The tests in this file check that the
-// text that a mutant replaces occurs exactly once in the sources.
+// Tests that the mutants of tests/mutants (scripts/mutants.py) can be applied, and that .ci/full applies
+// them.
 #include <fmt/format.h>
 
 #include "tests/house/rules.hpp"

@@ -26,11 +26,9 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
 /// line.
 Faults text_faults(const std::string& path, const std::string& text);
 
-/// Each of two computations may be in only one kernel file. Perspective-correct interpolation (arithmetic
-/// with iw1 or iw2) must be in rasterize/coverage/perspective.clh. The code that writes interpolated
-/// attributes into the struct Surface must be in rasterize/shading/surface.clh. If another kernel file
-/// contains one of the two computations, the function reports this file. It also reports perspective.clh or
-/// surface.clh if the file does not contain its computation.
+/// Finds copies of two computations. Perspective-correct interpolation (arithmetic with iw1 or iw2) must be
+/// in rasterize/coverage/perspective.clh and in no other kernel file, and the code that writes interpolated
+/// attributes into the struct Surface in rasterize/shading/surface.clh.
 Faults copy_faults(const std::string& path, const std::string& text);
 
 /// Finds launches of kernels outside of harness/cl/program.cpp, and launches that leave the size of the

@@ -77,9 +77,8 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
 }
 
-/// Draws a frame, and tests that the kernels wrote its picture. Every call uses another background colour. If
-/// the kernels did not write the picture, its memory could still contain the picture of an earlier call. The
-/// test would detect the other background colour of that picture.
+/// Draws a frame, and tests that the kernels wrote its picture. Every call has another background colour,
+/// because the memory of the picture could still contain that of an earlier call.
 void draw(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, bool count) {
   static int number = 0;
   const auto own = std::make_shared<FrameInput>(*input);

@@ -1,6 +1,5 @@
-// Tests correct runs that resemble the faulty runs of the other tests in this folder. pelage must not refuse
-// the results of a correct run, and must not put rows of the same measurement into separate reports. The
-// second table of docs/results.md lists these tests.
+// Tests correct runs that resemble the faulty ones of the other tests: pelage must neither refuse their
+// results nor divide them. The second table of docs/results.md lists these tests.
 
 #include "harness/record/identity.hpp"
 #include "harness/report/report.hpp"

@@ -53,9 +53,8 @@ TEST_F(Planted, EditedLimitsOfSampling) {
   refused(resume(), "measured something else: sampling was ");
 }
 
-// The test changes environment variables of pelage and PoCL. After each change, pelage must refuse to resume
-// the run, because it must regard the device as another device. If the user has not set POCL_AFFINITY, pelage
-// sets it to 1, and PoCL then pins its threads to CPU cores.
+// With each of these environment variables, pelage must regard the device as another one. If the user has not
+// set POCL_AFFINITY, pelage sets it to 1, and PoCL then pins its threads to CPU cores.
 TEST_F(Planted, ChangedEnvironment) {
   take("base");
   if (!rows().front().provenance.contains("pocl_affinity"))

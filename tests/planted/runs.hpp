@@ -1,6 +1,4 @@
-// Functions that the tests of this folder share. They make short runs of the pelage program, copy the results
-// of a run into a temporary folder of the test, and change files and rows there. docs/results.md lists the
-// tests.
+// Short runs of the pelage program, and copies of them, whose files and rows the tests change.
 #pragma once
 #include <filesystem>
 #include <functional>

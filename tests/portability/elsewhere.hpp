@@ -1,6 +1,5 @@
-// Runs tests of this binary with other OpenCL compilers than the default one. Each test runs in a child
-// process whose environment selects the compiler. A mapping is a way to distribute the pixels over work-items
-// (docs/machines.md).
+// Runs tests of this binary with other OpenCL compilers than the default one, each in a child process whose
+// environment selects the compiler.
 #pragma once
 #include <fmt/format.h>
 #include <sys/wait.h>

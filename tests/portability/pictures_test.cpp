@@ -1,6 +1,5 @@
-// Draws the same pictures with every OpenCL compiler on this machine and with every mapping. A mapping is a
-// way to distribute the pixels over work-items. The pictures must agree with the reference, and must cover
-// the same pixels as the pictures of this machine's default device.
+// Draws the same pictures with every OpenCL compiler on this machine and with every mapping
+// (docs/machines.md).
 #include "tests/support/pictures.hpp"
 
 #include <gtest/gtest.h>
@@ -20,10 +19,8 @@ struct Sight {
   std::shared_ptr<const FrameInput> input;
 };
 
-/// Returns three scenes with combed, curly and wet fur in wind. Each picture has 160 x 100 pixels, and the
-/// fur has 6 layers. The first scene shows a torus with the shading model "curling". The second scene shows
-/// the torus with the shading model "wet". The third scene shows a square. Its camera is so near to the
-/// square that triangles of the square cross the near plane and the guard band.
+/// Returns frames of 160 x 100 pixels and 6 layers: a torus with each shading model, and a square so near to
+/// the camera that its triangles cross the near plane and the guard band.
 std::vector<Sight> sights() {
   Scene near = synthetic::lively_scene();
   near.fur.length = .05f;

@@ -188,9 +188,8 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   EXPECT_EQ(json.at("labels").at("layers"), "{} layers");
 }
 
-/// Returns a row for every case of rivals.toml. OpenCL takes 10 ms with curls and 8 ms for plain shells.
-/// OpenGL takes 4 times as long on the torus, and on all other models 9 times with curls and 6 times for
-/// plain shells.
+/// Returns a row for every case of rivals.toml. OpenCL takes 10 ms with curls and 8 ms without, OpenGL 4
+/// times as long on the torus and else 9 times with curls and 6 times without.
 std::vector<FoundRow> duel_rows() {
   std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");
   for (FoundRow& found : rows) {

@@ -1,6 +1,5 @@
-// Tests the subjects that draw several pictures in turns in every round: a case without the settings of its
-// named axes, fewer layers, and an OpenGL baseline. Ratios are medians over the rounds. If one of the
-// pictures fails its check, the row fails.
+// Tests the subjects that draw several pictures in turns in every round. Ratios are medians over the rounds,
+// and a row fails if one of its pictures fails its check.
 #include "harness/subjects/in_turns.hpp"
 
 #include "tests/support/fake.hpp"
