@@ -46,13 +46,12 @@ std::set<Line> anchors_of(const std::string& source) {
 TEST(EquationTable, IsWhatTheKernelsSay) {
   const fs::path root = PELAGE_SOURCE_DIR;
   std::set<Line> anchors;
-  for (const auto& entry : fs::recursive_directory_iterator(root / "kernels")) {
-    if (entry.path().extension() == ".clh") anchors.merge(anchors_of(text_of(entry.path())));
-  }
+  for (const fs::path& file : test::files_below(root / "kernels", ".clh"))
+    anchors.merge(anchors_of(text_of(file)));
   std::set<std::string> tests;
   static const std::regex test(R"(TEST(_P|_F)?\(\s*(\w+),\s*(\w+)\))");
-  for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
-    const std::string source = entry.path().extension() == ".cpp" ? text_of(entry.path()) : "";
+  for (const fs::path& file : test::files_below(root / "tests", ".cpp")) {
+    const std::string source = text_of(file);
     for (std::sregex_iterator match(source.begin(), source.end(), test), end; match != end; ++match) {
       tests.insert((*match)[2].str() + "." + (*match)[3].str());
     }

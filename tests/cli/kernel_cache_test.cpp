@@ -14,17 +14,13 @@ struct KernelCache : InFolder {};
 
 // If a program file in the cache (.bc) is empty, PoCL reports a missing kernel instead of a damaged file.
 TEST_F(KernelCache, DamagedAndEmptyFilesLeadToTheAdviceToDeleteTheFolder) {
-  for (const auto& [ending, text, least] : {std::tuple{".so", "damaged", 4}, {"/program.bc", "", 1}}) {
+  for (const auto& [ending, text, least] : {std::tuple{".so", "damaged", 4u}, {"/program.bc", "", 1u}}) {
     const fs::path cache = folder.path / "kept";
     const std::string kept = "POCL_CACHE_DIR='" + cache.string() + "'";
     done(render, kept);
-    int changed = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(cache))
-      if (entry.path().string().ends_with(ending)) {
-        std::ofstream(entry.path()) << text;
-        ++changed;
-      }
-    ASSERT_GE(changed, least);
+    const std::vector<fs::path> files = test::files_below(cache, ending);
+    ASSERT_GE(files.size(), least);
+    for (const fs::path& file : files) test::write_text(file, text);
     const Outcome outcome = pelage(render, kept);
     EXPECT_NE(outcome.code, 0);
     expect_has(outcome.err, "delete this folder and run the command again: " + cache.string());

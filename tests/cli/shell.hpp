@@ -94,9 +94,7 @@ inline std::string of_torus(const std::string& axes, const std::string& scene = 
 }
 
 inline std::string journal_in(const Folder& folder, const std::string& results) {
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path / results))
-    if (entry.path().extension() == ".jsonl") return entry.path().lexically_relative(folder.path).string();
-  throw std::runtime_error(results + ": no journal");
+  return test::files_below(folder.path / results, ".jsonl").at(0).lexically_relative(folder.path).string();
 }
 
 }  // namespace pelage::cli

@@ -1,7 +1,6 @@
 // Tests that the repository obeys its own rules, and that the functions of rules.hpp find deliberate
 // violations.
 #include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <regex>
@@ -12,30 +11,9 @@
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"
 
-namespace fs = std::filesystem;
 using namespace pelage::house;
 
 namespace {
-
-// Returns the source files and documents of the checkout, relative to its root. Pictures and files of
-// results/ are data and are left out.
-std::vector<std::string> written_files() {
-  const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake", ".vert",
-                                    ".txt", ".sh",  ".py", ".md", ".toml", ".1", ".glsl",  ".frag"};
-  std::vector<std::string> files;
-  for (const char* folder : {"harness", "kernels", "shaders", "tests", "experiments", "examples", "docs",
-                             "bench", "python", "cmake", ".ci"}) {
-    if (!fs::is_directory(root / folder)) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-      if (entry.is_regular_file() &&
-          (kinds.count(entry.path().extension()) > 0 || std::string(folder) == ".ci"))
-        files.push_back(entry.path().lexically_relative(root).generic_string());
-  }
-  for (const auto& entry : fs::directory_iterator(root))
-    if (entry.is_regular_file() && kinds.count(entry.path().extension()) > 0)
-      files.push_back(entry.path().filename().generic_string());
-  return files;
-}
 
 const Links& links() {
   static const Links known = room_links(pelage::test::text_of(root / "CMakeLists.txt"));

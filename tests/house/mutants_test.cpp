@@ -19,13 +19,9 @@ int checked(const fs::path& data) {
 
 TEST(MutantFiles, CanBeApplied) {
   if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
-  std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(root / "tests/mutants")) {
-    if (entry.path().extension() != ".toml") continue;
-    ++files;
-    EXPECT_EQ(checked(entry.path()), 0) << entry.path();
-  }
-  EXPECT_GE(files, 3u);
+  const std::vector<fs::path> lists = pelage::test::files_below(root / "tests/mutants", ".toml");
+  EXPECT_GE(lists.size(), 3u);
+  for (const fs::path& list : lists) EXPECT_EQ(checked(list), 0) << list;
 }
 
 TEST(MutantFiles, AreAllRunByCi) {

@@ -10,6 +10,10 @@ namespace pelage::house {
 
 inline const std::filesystem::path root = PELAGE_SOURCE_DIR;  ///< folder of the checkout
 
+/// Returns the source files and documents of the checkout, relative to its root. Pictures and files of
+/// results/ are data and are left out.
+std::vector<std::string> written_files();
+
 using Faults = std::vector<std::string>;  ///< one line per violation, "path:line: what"
 
 /// A room is a library of CMakeLists.txt. Maps each room to the rooms whose headers it may include. These are

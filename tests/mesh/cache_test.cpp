@@ -7,15 +7,6 @@
 namespace pelage {
 namespace {
 
-std::filesystem::path only_file(const std::filesystem::path& folder) {
-  std::filesystem::path found;
-  int files = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) found = entry.path(), ++files;
-  EXPECT_EQ(files, 1);
-  return found;
-}
-
 TEST(Cache, what_is_written_is_read_back) {
   const auto mesh = load_model("torus", fresh());
   const auto back = decode(encode(*mesh));
@@ -47,7 +38,9 @@ TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {
   const test::Folder folder;
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   const auto first = load_model("square");
-  const std::filesystem::path file = only_file(folder.path);
+  const std::vector<fs::path> files = test::files_below(folder.path);
+  ASSERT_EQ(files.size(), 1u);
+  const fs::path& file = files.front();
   const std::string good = test::text_of(file);
   ASSERT_TRUE(decode(good));
 

@@ -19,13 +19,7 @@ class TextureCache : public ::testing::Test {
     coat_.texture = 64;
   }
 
-  std::vector<fs::path> files() const {
-    std::vector<fs::path> found;
-    if (fs::exists(textures()))
-      for (const auto& entry : fs::directory_iterator(textures())) found.push_back(entry.path());
-    return found;
-  }
-  fs::path textures() const { return folder_.path / "pelage" / "textures"; }
+  std::vector<fs::path> files() const { return test::files_below(folder_.path / "pelage" / "textures"); }
 
   test::Folder folder_;
   std::shared_ptr<const Mesh> mesh_ = load_model("square", fresh());

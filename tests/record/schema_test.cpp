@@ -50,14 +50,12 @@ TEST_F(Schema, HoldsRowsOfEveryStatus) {
 
 // Rows of earlier revisions may have no CPU times, no picture, or times of other phases.
 TEST_F(Schema, HoldsTheRowsOfResults) {
-  int journals = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(PELAGE_SOURCE_DIR "/results")) {
-    if (entry.path().extension() != ".jsonl") continue;
-    ++journals;
-    EXPECT_EQ(refused_lines(entry.path(), folder.path), 0) << entry.path();
-    EXPECT_FALSE(read_contents(entry.path()).rows.empty()) << entry.path();
+  const std::vector<fs::path> journals = test::files_below(PELAGE_SOURCE_DIR "/results", ".jsonl");
+  EXPECT_FALSE(journals.empty());
+  for (const fs::path& journal : journals) {
+    EXPECT_EQ(refused_lines(journal, folder.path), 0) << journal;
+    EXPECT_FALSE(read_contents(journal).rows.empty()) << journal;
   }
-  EXPECT_GT(journals, 0);
 }
 
 TEST_F(Schema, RefusesWhatNoRowMayBe) {

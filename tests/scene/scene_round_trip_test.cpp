@@ -259,15 +259,9 @@ TEST(SceneRoundTrip, EveryMemberHasAKey) {
 }
 
 TEST(SceneRoundTrip, EveryExampleReads) {
-  int count = 0;
-  for (const char* folder : {"examples"}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(PELAGE_SOURCE_DIR) / folder)) {
-      if (entry.path().extension() != ".toml") continue;
-      ++count;
-      EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
-    }
-  }
-  EXPECT_GT(count, 0);
+  const std::vector<fs::path> examples = test::files_below(PELAGE_SOURCE_DIR "/examples", ".toml");
+  EXPECT_FALSE(examples.empty());
+  for (const fs::path& file : examples) EXPECT_NO_THROW(read_scene(file)) << file;
 }
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;

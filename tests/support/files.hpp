@@ -9,6 +9,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace pelage {
 
@@ -23,6 +24,14 @@ inline std::string text_of(const fs::path& file) {
 
 inline void write_text(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
+}
+
+/// Returns the files in the folder and its folders whose names end with `ending`.
+inline std::vector<fs::path> files_below(const fs::path& folder, const std::string& ending = "") {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().string().ends_with(ending)) files.push_back(entry.path());
+  return files;
 }
 
 /// A temporary folder, which the destructor deletes.
