@@ -5,8 +5,7 @@
 namespace pelage::claims {
 namespace {
 
-using test::claim_text;
-using test::file_of;
+using namespace test;
 
 /// Reads a file claims.toml that contains `text`. Returns the end of the error message, from the file's name
 /// on. Returns "" if the reader accepts the file.

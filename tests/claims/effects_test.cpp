@@ -8,8 +8,7 @@
 namespace pelage::claims {
 namespace {
 
-using test::judged;
-using test::row;
+using namespace test;
 
 constexpr double rounding = 1e-9;
 const char* const any = "{ above = -1000 }";

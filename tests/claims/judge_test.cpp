@@ -8,10 +8,7 @@
 namespace pelage::claims {
 namespace {
 
-using test::claim_text;
-using test::file_of;
-using test::judged;
-using test::row;
+using namespace test;
 
 const char* const ratio = "name = \"ratio\", axis = \"layers\", of = 64, to = 16";
 

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {

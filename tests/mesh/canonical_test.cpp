@@ -7,7 +7,7 @@
 #include <random>
 
 #include "harness/mesh/soup.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {

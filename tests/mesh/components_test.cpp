@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness/mesh/quality.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {

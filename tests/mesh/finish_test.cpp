@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {

@@ -11,7 +11,7 @@
 #include "harness/mesh/laplace.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/write_ply.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {

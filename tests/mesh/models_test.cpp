@@ -7,7 +7,7 @@
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/procedural.hpp"
 #include "harness/mesh/quality.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {

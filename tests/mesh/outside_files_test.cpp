@@ -6,8 +6,7 @@
 #include <fstream>
 
 #include "harness/mesh/soup.hpp"
-#include "tests/mesh/gltf.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {

@@ -4,7 +4,7 @@
 
 #include "harness/mesh/unfold.hpp"
 #include "harness/mesh/write_ply.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {

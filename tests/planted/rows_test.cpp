@@ -123,6 +123,14 @@ Times& wall(Row& row) {
   return row.samples["frame"].wall_ms;
 }
 
+void add(Times& times, double ms) {
+  for (double& time : times) time += ms;
+}
+
+Check& psnr_of(Row& row) {
+  return *std::find_if(row.check.begin(), row.check.end(), [](const Check& c) { return c.metric == "psnr"; });
+}
+
 std::vector<Contradiction> contradictions() {
   return {
       {"no times", [](Row& r) { r.samples.clear(); }, "it has no times of frames"},
@@ -138,17 +146,10 @@ std::vector<Contradiction> contradictions() {
       {"a phase that is longer than the frame", [](Row& r) { r.samples["raster"].event_ms[0] += 1e6; },
        "the event times of the phases of a frame sum to"},
       {"event times above the wall time",
-       [](Row& r) {
-         for (std::size_t i = 0; i < 6; ++i) {
-           r.samples["raster"].event_ms[i] += 1e6;
-           r.samples["frame"].event_ms[i] += 1e6;
-         }
-       },
+       [](Row& r) { add(r.samples["raster"].event_ms, 1e6), add(r.samples["frame"].event_ms, 1e6); },
        "the median event time of a frame is"},
       {"more CPU time than the CPUs have",
-       [](Row& r) {
-         for (double& ms : r.samples["frame"].cpu_ms) ms += 1e9;
-       },
+       [](Row& r) { add(r.samples["frame"].cpu_ms, 1e9); },
        "the median CPU time of the phase frame is"},
       {"converged after two frames",
        [](Row& r) {
@@ -167,22 +168,13 @@ std::vector<Contradiction> contradictions() {
       {"a higher rate of fragments", [](Row& r) { r.metrics["fragments_per_s"].value *= 2; },
        "the metric fragments_per_s is"},
       {"times of a failed case",
-       [](Row& r) {
-         r.status = Status::failed_check;
-         r.reason = "psnr";
-       },
+       [](Row& r) { r.status = Status::failed_check, r.reason = "psnr"; },
        "the row has the status failed-check, but it has times"},
       {"a weaker limit",
-       [](Row& r) {
-         for (Check& check : r.check)
-           if (check.metric == "psnr") check.value = 30, check.limit = 20;
-       },
+       [](Row& r) { psnr_of(r).value = 30, psnr_of(r).limit = 20; },
        "has the limit >= 20, which is weaker than pelage's"},
       {"a limit in the other direction",
-       [](Row& r) {
-         for (Check& check : r.check)
-           if (check.metric == "psnr") check.value = 30, check.at_least = false;
-       },
+       [](Row& r) { psnr_of(r).value = 30, psnr_of(r).at_least = false; },
        "has the limit <= 60, which is weaker than pelage's"},
       {"a scene that is no hash", [](Row& r) { r.identity["scene"] = "torus"; },
        "part scene is 'torus', not a hash"},

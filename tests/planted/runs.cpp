@@ -9,7 +9,7 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/record/journal.hpp"
 #include "harness/report/input_sets.hpp"
-#include "tests/mesh/gltf.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage::planted {
 namespace {

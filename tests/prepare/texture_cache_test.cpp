@@ -5,7 +5,7 @@
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/prepare/surface_map.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {

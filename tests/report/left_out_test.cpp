@@ -6,18 +6,16 @@
 namespace pelage {
 namespace {
 
-using test::table1_rows;
-
 std::vector<LeftOut> list_of(const std::vector<FoundRow>& rows) {
   return without_numbers(cells_of(rows), rows);
 }
 
 TEST(LeftOut, IsEmptyIfEveryCaseHasATime) {
-  EXPECT_TRUE(list_of(table1_rows()).empty());
+  EXPECT_TRUE(list_of(test::table1_rows()).empty());
 }
 
 TEST(LeftOut, NamesEveryCaseWithoutATimeAndTheReason) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   rows[0].row.status = Status::error;
   rows[0].row.reason = "clBuildProgram failed\nline 1 of the log\nline 2";
   rows[1].row.status = Status::failed_check;
@@ -34,7 +32,7 @@ TEST(LeftOut, NamesEveryCaseWithoutATimeAndTheReason) {
 }
 
 TEST(LeftOut, NamesCasesWithoutTheRatioOfTheirExperiment) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   rows[3].row.metrics["opengl_ratio"] = {2, "times"};
   const std::vector<LeftOut> list = list_of(rows);
   ASSERT_EQ(list.size(), rows.size() - 1);
@@ -42,7 +40,7 @@ TEST(LeftOut, NamesCasesWithoutTheRatioOfTheirExperiment) {
 }
 
 TEST(LeftOut, NamesRowsWithoutEventTimes) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   rows[4].row.provenance["event_times"] = "left out: the event times of all 6 frames are equal";
   const std::vector<LeftOut> list = list_of(rows);
   ASSERT_EQ(list.size(), 1U);
@@ -50,7 +48,7 @@ TEST(LeftOut, NamesRowsWithoutEventTimes) {
 }
 
 TEST(LeftOut, NamesRunsWithCasesThatHaveNoRow) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   for (FoundRow& found : rows) found.row.provenance["shard_cases"] = found.row.provenance["all_cases"] = 40;
   const std::vector<LeftOut> list = missing_cases({rows.front().journal}, rows);
   ASSERT_EQ(list.size(), 1U);

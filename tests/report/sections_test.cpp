@@ -22,6 +22,12 @@ std::vector<Section> sections(const std::vector<FoundRow>& rows, std::vector<std
   return sections_of(cells_of(rows), {note, false, false, notes ? notes : &own});
 }
 
+Section only_section(const std::vector<FoundRow>& rows) {
+  const std::vector<Section> all = sections(rows);
+  EXPECT_EQ(all.size(), 1u);
+  return all.at(0);
+}
+
 const Value& value(const Table& table, std::size_t line, const char* column) {
   return table.lines.at(line).at(std::size_t(column_of(table, column)));
 }
@@ -39,12 +45,8 @@ std::size_t line_with(const Table& table, const std::vector<std::pair<const char
   return 0;
 }
 
-using test::own_rows;
-
 TEST(PaperSection, HasThePapersShape) {
-  const auto all = sections(test::table1_rows());
-  ASSERT_EQ(all.size(), 1u);
-  const Table& t = all[0].table;
+  const Table t = only_section(test::table1_rows()).table;
   const Pivot pivot = pivot_of(t);
   ASSERT_EQ(pivot.groups.size(), 2u);
   EXPECT_EQ(pivot.groups[0], std::vector<std::string>{"800x600"});
@@ -117,16 +119,15 @@ TEST(Sections, ChangedCasesHaveASectionOfTheirOwn) {
 
 /// The table of own axes must contain every case. The plot must show the numeric axis along x.
 TEST(CaseSection, HasEveryCaseOfOwnAxes) {
-  const auto rows = own_rows({{"model", {"mine.obj"}},
-                              {"curl.radius", {"0.05", "0.01", "0.1"}},
-                              {"reading", {"literal", "default"}}});
-  const auto all = sections(rows);
-  ASSERT_EQ(all.size(), 1u);
-  const std::string text = text_of(all[0].table);
+  const auto rows = test::own_rows({{"model", {"mine.obj"}},
+                                    {"curl.radius", {"0.05", "0.01", "0.1"}},
+                                    {"reading", {"literal", "default"}}});
+  const Section section = only_section(rows);
+  const std::string text = text_of(section.table);
   test::expect_has(text, {"10.0 [", "20.0 [", "30.0 [", "40.0 [", "50.0 [", "60.0 ["});
   EXPECT_NE(text.find("0.05"), std::string::npos) << "numbers appear as they were written";
-  ASSERT_EQ(all[0].plots.size(), 1u);
-  const PlotSpec& plot = all[0].plots[0];
+  ASSERT_EQ(section.plots.size(), 1u);
+  const PlotSpec& plot = section.plots[0];
   EXPECT_EQ(plot.x, "curl.radius");
   EXPECT_EQ(plot.series, std::vector<std::string>{"reading"});
   EXPECT_TRUE(plot.panels.empty());
@@ -135,8 +136,8 @@ TEST(CaseSection, HasEveryCaseOfOwnAxes) {
 }
 
 TEST(CaseSection, TwoNumericAxesBecomePanels) {
-  const auto all = sections(
-      own_rows({{"layers", {"8", "16", "32"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}}));
+  const auto all = sections(test::own_rows(
+      {{"layers", {"8", "16", "32"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}}));
   const PlotSpec& plot = all.at(0).plots.at(0);
   EXPECT_EQ(plot.x, "layers");
   EXPECT_EQ(plot.panels, std::vector<std::string>{"fur.length"});
@@ -144,7 +145,7 @@ TEST(CaseSection, TwoNumericAxesBecomePanels) {
 }
 
 TEST(CaseSection, CategoriesBecomePoints) {
-  const auto all = sections(own_rows({{"model", {"a", "b", "c"}}, {"variant", {"x", "y"}}}));
+  const auto all = sections(test::own_rows({{"model", {"a", "b", "c"}}, {"variant", {"x", "y"}}}));
   const PlotSpec& plot = all.at(0).plots.at(0);
   EXPECT_EQ(plot.x, "model");
   EXPECT_EQ(plot.series, std::vector<std::string>{"variant"});
@@ -153,7 +154,7 @@ TEST(CaseSection, CategoriesBecomePoints) {
 // The table has a column `drift` of the times. A metric of this name has another column, which the view
 // means.
 TEST(CaseSection, AMetricWithTheNameOfAColumnIsMeantByTheView) {
-  auto rows = own_rows({{"model", {"a", "b"}}});
+  auto rows = test::own_rows({{"model", {"a", "b"}}});
   for (FoundRow& found : rows) {
     found.row.metrics["drift"] = {-1.25, "of m g L0"};
     found.row.provenance["view"] = {{"values", {"drift"}}};
@@ -162,7 +163,8 @@ TEST(CaseSection, AMetricWithTheNameOfAColumnIsMeantByTheView) {
 }
 
 TEST(CaseSection, FollowsTheExperimentsView) {
-  auto rows = own_rows({{"layers", {"8", "16"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}});
+  auto rows =
+      test::own_rows({{"layers", {"8", "16"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}});
   for (FoundRow& found : rows) {
     found.row.metrics["error_rms"] = {double(found.row.case_name.size()), "lengths", "", 1.0, 99.0};
     found.row.provenance["view"] = {{"x", "fur.length"},         {"y", {"error_rms", "nothing"}},
@@ -210,9 +212,8 @@ std::vector<FoundRow> duel_rows() {
 TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
   const auto rows = duel_rows();
   ASSERT_EQ(rows.size(), 64u);
-  const auto all = sections(rows);
-  ASSERT_EQ(all.size(), 1u);
-  const Table& table = all[0].table;
+  const Section section = only_section(rows);
+  const Table& table = section.table;
   EXPECT_EQ(table.lines.size(), 64u);
   const Pivot pivot = pivot_of(table);
   ASSERT_EQ(pivot.groups.size(), 4u);
@@ -237,9 +238,9 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
                       10.0 / 8 * std::pow(1.5, 7.0 / 8)),
           std::string("softpipe")})
       test::expect_has(text, part);
-  ASSERT_EQ(all[0].plots.size(), 1u);
-  EXPECT_EQ(all[0].plots[0].y, "opengl_ratio");
-  EXPECT_EQ(all[0].plots[0].guide, 1);
+  ASSERT_EQ(section.plots.size(), 1u);
+  EXPECT_EQ(section.plots[0].y, "opengl_ratio");
+  EXPECT_EQ(section.plots[0].guide, 1);
 }
 
 TEST(RatioSection, CountsWhatHasNoRatio) {
@@ -358,9 +359,7 @@ std::vector<FoundRow> option_rows() {
 }
 
 TEST(VariantSection, HasTheFastestFirstAndNoTimeForAnotherPicture) {
-  const auto all = sections(option_rows());
-  ASSERT_EQ(all.size(), 1u);
-  const Table& table = all[0].table;
+  const Table table = only_section(option_rows()).table;
   const Pivot pivot = pivot_of(table);
   ASSERT_EQ(pivot.blocks[0].rows.size(), 9u);
   EXPECT_EQ(pivot.groups.size(), 2u);

@@ -1,12 +1,27 @@
-// The text of a glTF file whose buffer is a file of its own, as most exporters write it.
+// What the tests of mesh files share: options without the cache, and the text of a glTF file.
 #pragma once
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 
-namespace pelage::test {
+#include "harness/mesh/mesh.hpp"
+#include "tests/support/files.hpp"
 
-/// The buffer file `uri` has the points (3 floats each), then the corners of the faces (16-bit integers).
+namespace pelage {
+
+/// Returns options with which load_model() prepares a mesh without the cache.
+inline MeshOptions fresh(std::optional<std::uint32_t> faces = {}, bool keep_uv = false) {
+  MeshOptions options;
+  options.faces = faces;
+  options.keep_uv = keep_uv;
+  options.cache = false;
+  return options;
+}
+
+namespace test {
+
+/// Returns a glTF file as most exporters write it: the buffer file `uri` has the points (3 floats each), then the corners of the faces (16-bit integers).
 inline std::string gltf_text(const std::string& uri, std::size_t points, std::size_t corners) {
   return fmt::format(
       R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],
@@ -18,4 +33,5 @@ inline std::string gltf_text(const std::string& uri, std::size_t points, std::si
       uri, 12 * points, 12 * points + 2 * corners, 2 * corners, points, corners);
 }
 
-}  // namespace pelage::test
+}  // namespace test
+}  // namespace pelage
