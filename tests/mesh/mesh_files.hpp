@@ -21,7 +21,8 @@ inline MeshOptions fresh(std::optional<std::uint32_t> faces = {}, bool keep_uv =
 
 namespace test {
 
-/// Returns a glTF file as most exporters write it: the buffer file `uri` has the points (3 floats each), then the corners of the faces (16-bit integers).
+/// Returns a glTF file as most exporters write it: the buffer file `uri` has the points (3 floats each), then
+/// the corners of the faces (16-bit integers).
 inline std::string gltf_text(const std::string& uri, std::size_t points, std::size_t corners) {
   return fmt::format(
       R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],

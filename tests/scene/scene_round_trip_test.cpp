@@ -170,12 +170,11 @@ intensity = 1
 }
 
 TEST(SceneRoundTrip, PathsAreRelativeToTheFile) {
-  const test::Folder temporary;
-  const fs::path& folder = temporary.path;
-  std::ofstream(folder / "s.toml") << "model = 'meshes/a.obj'\ncoat.image = '../coat.png'\n";
-  const Scene scene = read_scene(folder / "s.toml");
-  EXPECT_EQ(scene.model, (folder / "meshes/a.obj").string());
-  EXPECT_EQ(scene.coat.image, folder.parent_path() / "coat.png");
+  const test::Folder folder;
+  const Scene scene =
+      read_scene(folder.write("s.toml", "model = 'meshes/a.obj'\ncoat.image = '../coat.png'\n"));
+  EXPECT_EQ(scene.model, (folder.path / "meshes/a.obj").string());
+  EXPECT_EQ(scene.coat.image, folder.path.parent_path() / "coat.png");
   EXPECT_EQ(scene.wetness.image, fs::path());
 }
 
