@@ -71,6 +71,33 @@ publish() (
   cp "$work/report.txt" "$tables/report.txt"
 )
 
+# Combines the pictures of the experiment shells-vs-strands in docs/look/same-coat.jpg. The columns of the sheet show
+# 16 layers, 64 layers, strands, a quarter of the strands, and a ray-cast picture of the strands as cones. The rows show
+# the three distances. Pictures of the row far are cut to their middle quarter and enlarged.
+strands_sheet() (
+  pictures=$runs/strands/shells-vs-strands/images
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  eye() { sed -n "/^\[distance\.$1\]/,/^camera\.eye/s/^camera\.eye = //p" experiments/shells-vs-strands.toml; }
+  oiiotool --create 2000x900 3 -d uint8 -o "$work/sheet.png"
+  y=0
+  for distance in near middle far; do
+    "$PELAGE" render same-coat --pipeline strands-raycast --set "camera.eye=$(eye "$distance")" -o "$work/$distance-rays.png"
+    cut=()
+    [[ $distance == far ]] && cut=(--cut 200x150+300+225)
+    x=0
+    # The name of a picture contains the variant, but not shells-16, the first one.
+    for picture in "$pictures/bunny-$distance.png" "$pictures/bunny-$distance"-{shells_64,strands,strands_quarter}.png \
+      "$work/$distance-rays.png"; do
+      oiiotool "$picture" --ch R,G,B "${cut[@]}" --resize 400x300 -o "$work/cell.png"
+      oiiotool "$work/cell.png" "$work/sheet.png" --paste "+$x+$y" -o "$work/sheet.png"
+      x=$((x + 400))
+    done
+    y=$((y + 300))
+  done
+  oiiotool "$work/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/same-coat.jpg
+)
+
 # Experiments whose times decide claims run in three processes, so that the claims use the measured difference between
 # processes.
 part table1 scripts/record.sh --repeat 3
@@ -105,7 +132,7 @@ publish results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-option
 rows=results/avx2 publish results/tables/rivals-avx2 "$runs/avx2"
 publish results/tables/effects "$runs"/{overheads,readings,depth}
 publish results/tables/strands "$runs"/{strands,ways}
-scripts/strands_sheet.sh "$runs/strands"
+strands_sheet
 publish results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
 for end in csv svg pdf; do cp "$runs/profile/profile.$end" "results/tables/profile/shells.$end"; done
 for end in csv svg pdf; do cp "$runs/profile-strands/profile.$end" "results/tables/profile/strands.$end"; done
