@@ -190,8 +190,7 @@ TEST_F(Commands, CheckDrawsFirstWithTheDefaultMappingOfTheDevice) {
 }
 
 TEST_F(Commands, CheckFailsOnKernelsThatAreWrong) {
-  std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels",
-                        std::filesystem::copy_options::recursive);
+  fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels", fs::copy_options::recursive);
   // The test inserts a mistake into a copy of the kernels: it halves the wetness of all droplets.
   folder.edit("kernels/wet/equations.clh", ": drop.wetness;", ": 0.5f * drop.wetness;");
   const Outcome outcome = pelage("--kernels kernels check mask --filter 'torus.*wet'");
