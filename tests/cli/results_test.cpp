@@ -197,11 +197,6 @@ TEST(Caches, WithoutAWritableCacheKernelsAreCompiledIntoATemporaryFolder) {
     EXPECT_FALSE(has(entry.path().string(), "pelage-kernels")) << entry.path();
 }
 
-TEST_F(Results, NumbersAreNamedAsTheyAreWritten) {
-  folder.write("own.toml", of_torus("layers = [4]\ncurl.radius = [0.05, 0.1]", length));
-  expect_has(done("run own.toml --dry-run").out, "torus_24x12-4-0.05-320x240\t");
-}
-
 TEST_F(Results, MeshFilesOfOneNameAreToldApart) {
   for (const std::string place : {"x", "y"}) {
     fs::create_directory(folder.path / place);

@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 /// Writes an experiment file into the folder e/. The experiment uses the scene file s/my.toml.
-struct SceneFile : ::testing::Test {
+struct SceneFile : test::InFolder {
   void SetUp() override {
     fs::create_directories(folder.path / "e");
     fs::create_directories(folder.path / "s");
@@ -26,9 +26,8 @@ struct SceneFile : ::testing::Test {
     return scene_of(e, cases_of(e, preset_of(e, "quick"), overrides).front());
   }
   std::string refusal(const std::string& keys, const std::string& file = "../s/my.toml") const {
-    return test::refusal([&] { first(read(keys, file)); }, "");
+    return test::refusal([&] { first(read(keys, file)); });
   }
-  test::Folder folder;
 };
 
 TEST_F(SceneFile, IsTakenAsItIs) {

@@ -33,8 +33,7 @@ Row row_of(Arguments... arguments) {
                   [=](const Case&) { return std::make_unique<Fake>(arguments...); });
 }
 
-struct Runner : ::testing::Test {
-  Folder folder;
+struct Runner : InFolder {
   Journal journal{folder.path / "j.jsonl", Journal::Mode::fresh};
 };
 

@@ -1,6 +1,8 @@
 // Tests that pelage detects faulty rows: copies, incomplete lines, damaged lines, and changed rows with a
 // new, correct checksum. The first table of docs/results.md lists these tests.
 
+#include <algorithm>
+
 #include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
 #include "tests/support/texts.hpp"
