@@ -131,9 +131,8 @@ TEST_F(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   EXPECT_EQ(file.at("image").shape, (Shape{"30", "40", "4"}));
   const std::vector<float> image = floats_of(path, "image");
   const Picture picture = read_picture(folder.path / "image.exr");
-  for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
+  for (std::size_t i = 0; i < picture.pixel.size(); ++i)
     for (int c = 0; c < 4; ++c) ASSERT_EQ(image[4 * i + std::size_t(c)], picture.pixel[i][c]);
-  }
 }
 
 TEST_F(Commands, ShellsAndReferenceDrawTheSamePicture) {
@@ -146,9 +145,8 @@ TEST_F(Commands, ShellsAndReferenceDrawTheSamePicture) {
     EXPECT_EQ(outcome.out, "");
   }
   const Picture reference = read_picture(folder.path / "reference.exr");
-  for (const char* name : {"tile.exr", "pixel.exr"}) {
+  for (const char* name : {"tile.exr", "pixel.exr"})
     EXPECT_TRUE(within(compare(read_picture(folder.path / name), reference))) << name;
-  }
   const Agreement eight = compare(read_picture(folder.path / "eight.exr"), reference);
   EXPECT_GT(eight.worst, 0.0) << "rounding to 8 bits changed nothing";
   EXPECT_GT(eight.psnr, 30.0);

@@ -82,9 +82,8 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
   }
   EXPECT_GE(shells, 7);
   EXPECT_EQ(builds, 3);  // a mapping, a system, a topology
-  for (const char* made : {"resolved.toml", "sheep.png", "tetrahedron.ply", "tetrahedron.png"}) {
+  for (const char* made : {"resolved.toml", "sheep.png", "tetrahedron.ply", "tetrahedron.png"})
     EXPECT_TRUE(fs::exists(folder.path / made)) << made;
-  }
 }
 
 }  // namespace

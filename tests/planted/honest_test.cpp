@@ -128,9 +128,8 @@ TEST_F(Honest, TwoRunsOfOneScene) {
 
 TEST_F(Honest, MergedShards) {
   folder.write("own.toml", base_experiment());
-  for (const char* options : {"--shard 0/2 -o s0", "--shard 1/2 -o s1"}) {
+  for (const char* options : {"--shard 0/2 -o s0", "--shard 1/2 -o s1"})
     done(std::string("run own.toml --host nodes ") + options);
-  }
   done("merge results s0 s1");
   EXPECT_EQ(rows().size(), 2U);
   expect_whole({path("results")});

@@ -368,9 +368,8 @@ TEST(VariantSection, HasTheFastestFirstAndNoTimeForAnotherPicture) {
   EXPECT_EQ(pivot.blocks[0].rows[1].keys[1].shown, "2.00");
   EXPECT_EQ(pivot.blocks[0].rows.back().keys[0].data, "volume");
   EXPECT_EQ(pivot.blocks[0].rows.back().keys[1].shown, "-");
-  for (const std::string& text : {text_of(table), html_of(table)}) {
+  for (const std::string& text : {text_of(table), html_of(table)})
     test::expect_has(text, {"320 [320, 320]", "failed-check"});
-  }
 }
 
 }  // namespace

@@ -107,9 +107,8 @@ TEST(SceneRoundTrip, ManyKeysTogetherSurvive) {
   int read = 0;
   for (int attempt = 0; attempt < 1500; ++attempt) {
     Scene scene;
-    for (const Key& key : scene_keys(scene)) {
+    for (const Key& key : scene_keys(scene))
       if (random() % 3 == 0) vary(key, random);
-    }
     scene.shading.lights.resize(1 + random() % 2);
     scene.wetness.droplets.resize(random() % 4);
     for (std::size_t i = 0; i < scene.wetness.droplets.size(); ++i) {
@@ -186,9 +185,8 @@ TEST(SceneRoundTrip, TheHashFollowsTheValuesAndNotTheFolder) {
   Scene shape;
   for (std::size_t i = 0; i < scene_keys(shape).size(); ++i) {
     Scene scene;
-    for (int attempt = 0; attempt < 100 && difference(scene, plain).empty(); ++attempt) {
+    for (int attempt = 0; attempt < 100 && difference(scene, plain).empty(); ++attempt)
       vary(scene_keys(scene)[i], random);
-    }
     const std::string_view name = scene_keys(scene)[i].name;
     EXPECT_EQ(scene_hash(scene) == scene_hash(plain), name == "pipeline") << name;
   }
@@ -210,9 +208,7 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
     EXPECT_FALSE(key.help.empty()) << key.name;
     EXPECT_NE(text.find(describe_range(key)), std::string::npos) << key.name;
   }
-  for (const char* word : {"default", "uv", "point", "r_drop", "[[shading.light]]"}) {
-    test::expect_has(text, word);
-  }
+  test::expect_has(text, {"default", "uv", "point", "r_drop", "[[shading.light]]"});
 }
 
 /// Returns the members of the structs in the headers of the scene as dotted keys: "float length = ..."
