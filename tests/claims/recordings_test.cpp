@@ -217,7 +217,7 @@ TEST(Recordings, TheAssumedSpreadIsNotTooSmall) {
   ASSERT_GE(freedom, 20);
   const double spread = std::sqrt(squares / freedom);
   EXPECT_LE(spread, shipped().process_spread);
-  const std::string text = test::text_of(PELAGE_SOURCE_DIR "/experiments/claims.toml");
+  const std::string text = pelage::test::text_of(PELAGE_SOURCE_DIR "/experiments/claims.toml");
   EXPECT_NE(text.find(fmt::format("is {:.1f}%", 100 * spread)), std::string::npos) << spread;
 }
 

@@ -50,11 +50,9 @@ void write_files(const Folder& folder) {
   const std::vector<std::uint16_t> faces = torus_faces();
   std::string obj;
   for (std::size_t i = 0; i < points.size(); i += 3)
-    obj += fmt::format("v {:f} {:f} {:f}
-", points[i], points[i + 1], points[i + 2]);
+    obj += fmt::format("v {:f} {:f} {:f}\n", points[i], points[i + 1], points[i + 2]);
   for (std::size_t i = 0; i < faces.size(); i += 3)
-    obj += fmt::format("f {} {} {}
-", faces[i] + 1, faces[i + 1] + 1, faces[i + 2] + 1);
+    obj += fmt::format("f {} {} {}\n", faces[i] + 1, faces[i + 1] + 1, faces[i + 2] + 1);
   folder.write("own.obj", obj);
   folder.write("own.bin", bytes_of(points) + bytes_of(faces));
   folder.write("buffered.gltf", test::gltf_text("own.bin", points.size() / 3, faces.size()));
