@@ -18,18 +18,14 @@ ROOT = Path(__file__).resolve().parent.parent
 SIZE = "640x480"
 
 
-def case(figure, name):
+def case(label, figure, name):
     """A picture of the run: case `name` of the experiment `figure`."""
-    return {"label": "", "experiment": figure, "case": f"{name}-{SIZE}"}
+    return {"label": label, "experiment": figure, "case": f"{name}-{SIZE}"}
 
 
-def diagram(kind, figure, name, *options):
+def diagram(label, kind, figure, name, *options):
     """A diagram of the scene of a case."""
-    return {**case(figure, name), "kind": kind, "options": list(options)}
-
-
-def labelled(label, panel):
-    return {**panel, "label": label}
+    return {**case(label, figure, name), "kind": kind, "options": list(options)}
 
 
 S1, S3, S4, S6, S7, S8, S9, S10, S11, S12, S13 = (f"silva2010-fig{n:02d}" for n in (1, 3, 4, *range(6, 14)))
@@ -45,70 +41,70 @@ ARROW = ["--line-width", "5"]
 PAGES = {
     "silva2010": ("Curling and Clumping Fur Represented by Texture Layers (Silva et al. 2010)", [
         ("Figure 1", "One model with fur in four states.",
-         [labelled("straight", case(S1, "straight")), labelled("curly", case(S1, "curly")),
-          labelled("dry", case(S1, "dry")), labelled("wet, in clumps", case(S1, "wet"))]),
+         [case("straight", S1, "straight"), case("curly", S1, "curly"),
+          case("dry", S1, "dry"), case("wet, in clumps", S1, "wet")]),
         ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, and the orange lines strands, whose red "
          "points carry the layers. The red arrow is the mean displacement of the tips.",
-         [labelled("upright fur, as in earlier methods", diagram("layers", S6, "bent", *SECTION, *UPRIGHT)),
-          labelled("layers sheared in proportion to their height", diagram("layers", S6, "sheared", *SECTION)),
-          labelled("virtual strands at rest", diagram("layers", S6, "bent", *SECTION, *UPRIGHT, "--set", "fur.layer_spacing=paper")),
-          labelled("virtual strands bent by a force", diagram("layers", S6, "bent", *SECTION, *FORCE)),
-          labelled("curl of a strand, at three wetnesses", diagram("curl", S7, "large"))]),
+         [diagram("upright fur, as in earlier methods", "layers", S6, "bent", *SECTION, *UPRIGHT),
+          diagram("layers sheared in proportion to their height", "layers", S6, "sheared", *SECTION),
+          diagram("virtual strands at rest", "layers", S6, "bent", *SECTION, *UPRIGHT, "--set", "fur.layer_spacing=paper"),
+          diagram("virtual strands bent by a force", "layers", S6, "bent", *SECTION, *FORCE),
+          diagram("curl of a strand, at three wetnesses", "curl", S7, "large")]),
         ("Figure 3", "From textures to fur.",
-         [labelled("colour texture", diagram("coat", S3, "c")),
-          labelled("four slices of the fur texture, h = 1/8, 3/8, 5/8, 7/8, 64 x 64 texels of each, as square roots", diagram("slices", S3, "c")),
-          labelled("result", case(S3, "c"))]),
+         [diagram("colour texture", "coat", S3, "c"),
+          diagram("four slices of the fur texture, h = 1/8, 3/8, 5/8, 7/8, 64 x 64 texels of each, as square roots", "slices", S3, "c"),
+          case("result", S3, "c")]),
         ("Figure 4", "Forces on the strands. The red arrow in (b) is the direction of the wind.",
-         [labelled("one triangle; its strand is white", diagram("lines", S4, "triangle", "--line-width", "4")),
-          labelled("a square in the wind", diagram("wind", S4, "wind", *ARROW))]),
+         [diagram("one triangle; its strand is white", "lines", S4, "triangle", "--line-width", "4"),
+          diagram("a square in the wind", "wind", S4, "wind", *ARROW)]),
         ("Figure 5", "The wetness mask, and a clump of radius r in section: each strand of the clump leans towards its centre c. At the "
          "height h, the displacement of the outermost strand is d (p is its point there), and that of its tip is \u03c1 r. "
          "In the mask, black is dry, and the brightness of the blue is the wetness; its hue tells clumps apart.",
-         [labelled("mask with the triangles of the UV map", diagram("mask", S9, "a")),
-          labelled("section of a clump of Figure 9 (a)", diagram("clump", S9, "a", "--set", "fur.layers=64"))]),
+         [diagram("mask with the triangles of the UV map", "mask", S9, "a"),
+          diagram("section of a clump of Figure 9 (a)", "clump", S9, "a", "--set", "fur.layers=64")]),
         ("Figure 6", "Bent strands and sheared layers under the same kind of force. The red arrows are its direction.",
-         [labelled("strands bend", diagram("wind", S6, "bent", *ARROW)),
-          labelled("layers are sheared", diagram("wind", S6, "sheared", *ARROW))]),
+         [diagram("strands bend", "wind", S6, "bent", *ARROW),
+          diagram("layers are sheared", "wind", S6, "sheared", *ARROW)]),
         ("Figure 7", "What the curl does to the fur.",
-         [labelled("straight", case(S7, "straight")), labelled("wavy", case(S7, "wavy")),
-          labelled("few large curls", case(S7, "large")), labelled("many small curls", case(S7, "small"))]),
+         [case("straight", S7, "straight"), case("wavy", S7, "wavy"),
+          case("few large curls", S7, "large"), case("many small curls", S7, "small")]),
         ("Figure 8", "Dry fur and a mask give clumps.",
-         [labelled("dry", case(S8, "dry")), labelled("mask", diagram("mask", S8, "wet")),
-          labelled("result", case(S8, "wet"))]),
+         [case("dry", S8, "dry"), diagram("mask", "mask", S8, "wet"),
+          case("result", S8, "wet")]),
         ("Figure 9", "The shape of clumps. (b) and (d) show fewer clumps than (a) and (c).",
-         [labelled("w = 0, from the side", case(S9, "a")), labelled("w = 0, from above", case(S9, "b")),
-          labelled("w = 1, from the side", case(S9, "c")), labelled("w = 1, from above", case(S9, "d")),
-          labelled("f(h) of Eq. 5", diagram("shape", S9, "a")),
-          labelled("section with w = 1", diagram("clump", S9, "c"))]),
+         [case("w = 0, from the side", S9, "a"), case("w = 0, from above", S9, "b"),
+          case("w = 1, from the side", S9, "c"), case("w = 1, from above", S9, "d"),
+          diagram("f(h) of Eq. 5", "shape", S9, "a"),
+          diagram("section with w = 1", "clump", S9, "c")]),
         ("Figure 10", "Curly fur on two models.",
-         [labelled("bunny", case(S10, "bunny")), labelled("teddy (stand-in)", case(S10, "teddy"))]),
+         [case("bunny", S10, "bunny"), case("teddy (stand-in)", S10, "teddy")]),
         ("Figure 11", "A dry and a wet bunny.",
-         [labelled("dry", case(S11, "dry")), labelled("wet", case(S11, "wet")),
-          labelled("mask of the dry bunny", diagram("mask", S11, "dry")),
-          labelled("mask of the wet bunny", diagram("mask", S11, "wet"))]),
+         [case("dry", S11, "dry"), case("wet", S11, "wet"),
+          diagram("mask of the dry bunny", "mask", S11, "dry"),
+          diagram("mask of the wet bunny", "mask", S11, "wet")]),
         ("Figure 12", "Random droplets, and droplets in letters.",
-         [labelled("dry cat", case(S12, "dry")), labelled("cat with droplets", case(S12, "droplets")),
-          labelled("CGI10 in droplets", case(S12, "text")), labelled("mask of the letters", diagram("mask", S12, "text"))]),
-        ("Figure 13", "Clumps from near, with 64 layers.", [labelled("wet bunny", case(S13, "near"))]),
+         [case("dry cat", S12, "dry"), case("cat with droplets", S12, "droplets"),
+          case("CGI10 in droplets", S12, "text"), diagram("mask of the letters", "mask", S12, "text")]),
+        ("Figure 13", "Clumps from near, with 64 layers.", [case("wet bunny", S13, "near")]),
     ]),
     "wetfur2010": ("Real-Time Rendering of Wet Fur (Silva et al. 2010)", [
         ("Figure 1", "A dry and a soaking wet bunny.",
-         [labelled("dry", case(W1, "dry")), labelled("wet", case(W1, "wet")),
-          labelled("mask of the wet bunny", diagram("mask", W1, "wet"))]),
+         [case("dry", W1, "dry"), case("wet", W1, "wet"),
+          diagram("mask of the wet bunny", "mask", W1, "wet")]),
         ("Figure 2", "A wet blanket. (a) is a photograph of a blanket, which is left out.",
-         [labelled("(b) drawn by the method", case(W2, "b"))]),
+         [case("(b) drawn by the method", W2, "b")]),
         ("Figure 3", "The wetness mask, and a clump in section. p is a point of the outermost strand at the height h, d its displacement; that of the tip is \u03c1 r.",
-         [labelled("mask with the triangles of the UV map", diagram("mask", W4, "a")),
-          labelled("section of a clump", diagram("clump", W4, "a"))]),
+         [diagram("mask with the triangles of the UV map", "mask", W4, "a"),
+          diagram("section of a clump", "clump", W4, "a")]),
         ("Figure 4", "The shape of clumps. (b) and (d) show fewer clumps than (a) and (c).",
-         [labelled("w = 0, from the side", case(W4, "a")), labelled("w = 0, from above", case(W4, "b")),
-          labelled("w = 1, from the side", case(W4, "c")), labelled("w = 1, from above", case(W4, "d"))]),
+         [case("w = 0, from the side", W4, "a"), case("w = 0, from above", W4, "b"),
+          case("w = 1, from the side", W4, "c"), case("w = 1, from above", W4, "d")]),
         ("Figure 5", "Dry fur and a mask give wet fur.",
-         [labelled("fur", case(W5, "a")), labelled("mask", diagram("mask", W5, "c")),
-          labelled("result", case(W5, "c"))]),
+         [case("fur", W5, "a"), diagram("mask", "mask", W5, "c"),
+          case("result", W5, "c")]),
         ("Figure 6", "Wet and dry fur side by side, and letters.",
-         [labelled("partly wet bunny", case(W6, "a")), labelled("border of wet and dry fur, on a square", case(W6, "b")),
-          labelled("VCS 10 in droplets", case(W6, "c")), labelled("mask of the letters", diagram("mask", W6, "c"))]),
+         [case("partly wet bunny", W6, "a"), case("border of wet and dry fur, on a square", W6, "b"),
+          case("VCS 10 in droplets", W6, "c"), diagram("mask of the letters", "mask", W6, "c")]),
     ]),
 }
 

@@ -3,10 +3,10 @@
 
     scripts/mutants.py [--data FILE] [--build FOLDER] [--jobs N] [--check] [NAME ...]
 
-FILE is tests/mutants/survivors.toml by default. A mutant is an entry of a list that has the name of a test program, such
-as [[test_mesh]]. Each mutant has a `name`. Its `original` is a text that occurs exactly once in the tracked files of
-harness/ and kernels/; differences in white space are ignored. The program replaces this text by `replacement`. Then the
-tests of the test program that match the GoogleTest filter `filter` must fail. `why` describes the effect of the mistake.
+FILE is tests/mutants/survivors.toml by default. The heading of a mutant, such as [test_mesh."Rotate.*".rotation-order],
+has the name of a test program, a GoogleTest filter and the mutant's name. Its `original` is a text that occurs exactly
+once in the tracked files of harness/ and kernels/; differences in white space are ignored. The program replaces this text
+by `replacement`. Then the tests that match the filter must fail. `why` describes the effect of the mistake.
 
 The tests of a mutant must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when
 a test runs. The program restores every file at the end, also after Ctrl-C. Do not commit while the program runs. When
@@ -26,7 +26,7 @@ import time
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-KEYS = {"name", "original", "replacement", "target", "filter", "why"}
+KEYS = {"original", "replacement", "why"}
 TEST_LIMIT_S = 600  # A test that takes longer with a mutant counts as failed, so it detects the mutant.
 
 
@@ -34,25 +34,31 @@ class Mistake(Exception):
     """An error in the data file or the command line. The message is one line."""
 
 
+def tables(value, file):
+    if not isinstance(value, dict) or not all(isinstance(table, dict) for table in value.values()):
+        raise Mistake(f"{file}: a heading has a test program, a filter and a name")
+    return value.items()
+
+
 def read_data(file):
     try:
-        lists = tomllib.loads(file.read_text())
+        programs = tomllib.loads(file.read_text())
     except (OSError, tomllib.TOMLDecodeError) as error:
         raise Mistake(f"{file}: {error}") from error
-    if wrong := [name for name in lists if not name.startswith("test_")]:
-        raise Mistake(f"{file}: {', '.join(wrong)}: a list of mutants has the name of a test program")
-    mutants = [{"target": target, **mutant} for target, entries in lists.items() for mutant in entries]
-    names = set()
-    for number, mutant in enumerate(mutants, 1):
-        name = mutant.get("name", f"number {number}")
-        if unknown := mutant.keys() - KEYS:
-            raise Mistake(f"{file}: {name}: unknown key {', '.join(sorted(unknown))}")
-        if missing := KEYS - mutant.keys():
-            raise Mistake(f"{file}: {name}: no {', '.join(sorted(missing))}")
-        if name in names:
-            raise Mistake(f"{file}: {name}: twice")
-        names.add(name)
-    return mutants
+    mutants = {}
+    for target, filters in programs.items():
+        if not target.startswith("test_"):
+            raise Mistake(f"{file}: {target}: a heading begins with the name of a test program")
+        for tests, entries in tables(filters, file):
+            for name, mutant in tables(entries, file):
+                if unknown := mutant.keys() - KEYS:
+                    raise Mistake(f"{file}: {name}: unknown key {', '.join(sorted(unknown))}")
+                if missing := KEYS - mutant.keys():
+                    raise Mistake(f"{file}: {name}: no {', '.join(sorted(missing))}")
+                if name in mutants:
+                    raise Mistake(f"{file}: {name}: twice")
+                mutants[name] = {"name": name, "target": target, "filter": tests, **mutant}
+    return list(mutants.values())
 
 
 def tracked_sources():

@@ -38,6 +38,66 @@ measure() {
 }
 record() { part "$1" measure "$@"; }
 
+# Copies the rows of the folders RESULTS to results/, or to the folder $rows, and writes their tables and plots to the
+# folder FOLDER, which it deletes first. Usage: publish FOLDER RESULTS...
+publish() (
+  tables=$1 rows_in=${rows:-results}
+  shift
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  "$PELAGE" report "$@" -o "$work/report" 2>"$work/said" | sed 's/[[:blank:]]*$//' >"$work/report.txt"
+  for folder in "$@"; do
+    find "$folder" -name '*.jsonl' -printf '%h\n' | sort -u | while read -r place; do
+      rm -rf "${rows_in:?}/$(basename "$place")"
+    done
+  done
+  for folder in "$@"; do
+    # Two folders RESULTS may contain .jsonl files of the same name, with rows of the same experiment and device. The
+    # copies get different names, so that no file is overwritten.
+    find "$folder" -name '*.jsonl' | sort | while read -r file; do
+      place=$rows_in/$(basename "$(dirname "$file")")
+      mkdir -p "$place"
+      name=$(basename "$file" .jsonl) part=1
+      while [[ -e $place/$name$([[ $part = 1 ]] || echo "-$part").jsonl ]]; do part=$((part + 1)); done
+      cp "$file" "$place/$name$([[ $part = 1 ]] || echo "-$part").jsonl"
+    done
+  done
+  rm -rf "$tables"
+  mkdir -p "$tables"
+  cp "$work"/report/plots/*.{svg,pdf} "$tables/"
+  find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$tables/" \;
+  rm -f "$tables/all-phases.csv" # not recorded, because it can be rebuilt from the rows
+  sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$tables/provenance.txt"
+  cp "$work/report.txt" "$tables/report.txt"
+)
+
+# Combines the pictures of the experiment shells-vs-strands in docs/look/same-coat.jpg. The columns of the sheet show
+# 16 layers, 64 layers, strands, a quarter of the strands, and a ray-cast picture of the strands as cones. The rows show
+# the three distances. Pictures of the row far are cut to their middle quarter and enlarged.
+strands_sheet() (
+  pictures=$runs/strands/shells-vs-strands/images
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  eye() { sed -n "/^\[distance\.$1\]/,/^camera\.eye/s/^camera\.eye = //p" experiments/shells-vs-strands.toml; }
+  oiiotool --create 2000x900 3 -d uint8 -o "$work/sheet.png"
+  y=0
+  for distance in near middle far; do
+    "$PELAGE" render same-coat --pipeline strands-raycast --set "camera.eye=$(eye "$distance")" -o "$work/$distance-rays.png"
+    cut=()
+    [[ $distance == far ]] && cut=(--cut 200x150+300+225)
+    x=0
+    # The name of a picture contains the variant, but not shells-16, the first one.
+    for picture in "$pictures/bunny-$distance.png" "$pictures/bunny-$distance"-{shells_64,strands,strands_quarter}.png \
+      "$work/$distance-rays.png"; do
+      oiiotool "$picture" --ch R,G,B "${cut[@]}" --resize 400x300 -o "$work/cell.png"
+      oiiotool "$work/cell.png" "$work/sheet.png" --paste "+$x+$y" -o "$work/sheet.png"
+      x=$((x + 400))
+    done
+    y=$((y + 300))
+  done
+  oiiotool "$work/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/same-coat.jpg
+)
+
 # Experiments whose times decide claims run in three processes, so that the claims use the measured difference between
 # processes.
 part table1 scripts/record.sh --repeat 3
@@ -67,13 +127,13 @@ part profile-strands "$PELAGE" profile demoreuille2011-scaling --filter '^bunny-
 rm -rf results/wetfur2010-table1
 cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
-scripts/record_report.sh results/tables/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
-scripts/record_report.sh results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
-ROWS=results/avx2 scripts/record_report.sh results/tables/rivals-avx2 "$runs/avx2"
-scripts/record_report.sh results/tables/effects "$runs"/{overheads,readings,depth}
-scripts/record_report.sh results/tables/strands "$runs"/{strands,ways}
-scripts/strands_sheet.sh "$runs/strands"
-scripts/record_report.sh results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
+publish results/tables/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
+publish results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
+rows=results/avx2 publish results/tables/rivals-avx2 "$runs/avx2"
+publish results/tables/effects "$runs"/{overheads,readings,depth}
+publish results/tables/strands "$runs"/{strands,ways}
+strands_sheet
+publish results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
 for end in csv svg pdf; do cp "$runs/profile/profile.$end" "results/tables/profile/shells.$end"; done
 for end in csv svg pdf; do cp "$runs/profile-strands/profile.$end" "results/tables/profile/strands.$end"; done
 verdicts=$("$PELAGE" claims results --markdown)

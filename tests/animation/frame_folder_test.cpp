@@ -1,6 +1,5 @@
 #include "harness/animation/frame_folder.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,19 +10,15 @@
 #include <thread>
 
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 const FrameOrigin origin{{"scene", "12"}, {"frames per second", "24"}};
 
-struct Place : test::Folder {
-  fs::path operator/(const std::string& name) const { return path / name; }
-  std::string read(const fs::path& name) const { return test::text_of(path / name); }
-  void write(const std::string& name, const std::string& text) const { test::write_text(path / name, text); }
+struct FrameFolders : test::InFolder {
+  const fs::path place = folder.path;
 };
 
 /// A picture whose content depends on the number of the frame.
@@ -35,111 +30,96 @@ Picture picture(int frame) {
 }
 
 std::string refusal(const fs::path& folder, bool resume, const FrameOrigin& from = origin) {
-  return test::refusal([&] { FrameFolder(folder, from, resume); }, "");
+  return test::refusal([&] { FrameFolder(folder, from, resume); });
 }
 
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-TEST(FrameFolder, RecordsTheFramesAndWhatTheyWereDrawnFrom) {
-  const Place place;
-  FrameFolder folder(place / "new/frames", origin, false);
-  EXPECT_FALSE(folder.holds(0));
-  folder.write(0, picture(0));
-  folder.write(12, picture(12));
-  EXPECT_TRUE(folder.holds(0));
-  EXPECT_TRUE(folder.holds(12));
-  EXPECT_FALSE(folder.holds(1));
+TEST_F(FrameFolders, RecordsTheFramesAndWhatTheyWereDrawnFrom) {
+  FrameFolder drawn(place / "new/frames", origin, false);
+  EXPECT_FALSE(drawn.holds(0));
+  drawn.write(0, picture(0));
+  drawn.write(12, picture(12));
+  EXPECT_TRUE(drawn.holds(0));
+  EXPECT_TRUE(drawn.holds(12));
+  EXPECT_FALSE(drawn.holds(1));
   EXPECT_TRUE(fs::exists(place / "new/frames/frame-00012.png"));
-  const std::string record = place.read("new/frames/animation.txt");
+  const std::string record = folder.read("new/frames/animation.txt");
   EXPECT_EQ(record.find("pelage animation 1\nscene: 12\nframes per second: 24\nframes:\n0 "), 0u) << record;
 }
 
-TEST(FrameFolder, AnEmptyFolderIsAcceptedWithAndWithoutResume) {
-  for (const bool resume : {false, true}) {
-    const Place place;
-    EXPECT_EQ(refusal(place / ".", resume), "");
-  }
+TEST_F(FrameFolders, AnEmptyFolderIsAcceptedWithAndWithoutResume) {
+  for (const bool resume : {false, true}) EXPECT_EQ(refusal(place / ".", resume), "accepted");
 }
 
-TEST(FrameFolder, FramesAreContinuedOnlyWithResumeAndTheSameOrigin) {
-  const Place place;
+TEST_F(FrameFolders, FramesAreContinuedOnlyWithResumeAndTheSameOrigin) {
   FrameFolder(place / "f", origin, false).write(0, picture(0));
-  EXPECT_TRUE(says(refusal(place / "f", false), "already contains frames: continue with --resume"));
-  EXPECT_EQ(refusal(place / "f", true), "");
-  const std::string other = refusal(place / "f", true, {{"scene", "12"}, {"frames per second", "30"}});
-  EXPECT_TRUE(says(other, "drawn with \"frames per second: 24\", which is now \"frames per second: 30\""))
-      << other;
-  EXPECT_TRUE(says(refusal(place / "f", true, {{"scene", "12"}}), "animation.txt: "));
+  test::expect_has(refusal(place / "f", false), "already contains frames: continue with --resume");
+  EXPECT_EQ(refusal(place / "f", true), "accepted");
+  test::expect_has(refusal(place / "f", true, {{"scene", "12"}, {"frames per second", "30"}}),
+                   "drawn with \"frames per second: 24\", which is now \"frames per second: 30\"");
+  test::expect_has(refusal(place / "f", true, {{"scene", "12"}}), "animation.txt: ");
   EXPECT_TRUE(FrameFolder(place / "f", origin, true).holds(0));
 }
 
-TEST(FrameFolder, OnlyWholeFramesAreKept) {
-  const Place place;
+TEST_F(FrameFolders, OnlyWholeFramesAreKept) {
   {
-    FrameFolder folder(place / "f", origin, false);
-    for (int frame = 0; frame < 4; ++frame) folder.write(frame, picture(frame));
+    FrameFolder drawn(place / "f", origin, false);
+    for (int frame = 0; frame < 4; ++frame) drawn.write(frame, picture(frame));
   }
-  const std::string first = place.read("f/frame-00001.png"), record = place.read("f/animation.txt");
-  place.write("f/frame-00001.png", first.substr(0, first.size() - 1));
-  place.write("f/frame-00002.png", place.read("f/frame-00003.png"));
+  const std::string first = folder.read("f/frame-00001.png"), record = folder.read("f/animation.txt");
+  folder.write("f/frame-00001.png", first.substr(0, first.size() - 1));
+  folder.write("f/frame-00002.png", folder.read("f/frame-00003.png"));
   fs::remove(place / "f/frame-00003.png");
-  FrameFolder folder(place / "f", origin, true);
-  EXPECT_TRUE(folder.holds(0));
-  for (int frame = 1; frame < 4; ++frame) EXPECT_FALSE(folder.holds(frame)) << frame;
-  folder.write(1, picture(1));
-  EXPECT_TRUE(folder.holds(1));
-  EXPECT_EQ(place.read("f/frame-00001.png"), first);
-  EXPECT_EQ(place.read("f/animation.txt"), record);
+  FrameFolder drawn(place / "f", origin, true);
+  EXPECT_TRUE(drawn.holds(0));
+  for (int frame = 1; frame < 4; ++frame) EXPECT_FALSE(drawn.holds(frame)) << frame;
+  drawn.write(1, picture(1));
+  EXPECT_TRUE(drawn.holds(1));
+  EXPECT_EQ(folder.read("f/frame-00001.png"), first);
+  EXPECT_EQ(folder.read("f/animation.txt"), record);
 }
 
-TEST(FrameFolder, WhatAKilledProcessLeavesIsRemoved) {
-  const Place place;
+TEST_F(FrameFolders, WhatAKilledProcessLeavesIsRemoved) {
   {
-    FrameFolder folder(place / "f", origin, false);
-    for (int frame = 0; frame < 2; ++frame) folder.write(frame, picture(frame));
+    FrameFolder drawn(place / "f", origin, false);
+    for (int frame = 0; frame < 2; ++frame) drawn.write(frame, picture(frame));
   }
-  const std::string record = place.read("f/animation.txt");
-  place.write("f/animation.txt", record.substr(0, record.size() - 5));
-  place.write("f/.frame-00002.4711.png", "half a picture");
-  FrameFolder folder(place / "f", origin, true);
-  EXPECT_TRUE(folder.holds(0));
-  EXPECT_FALSE(folder.holds(1));
+  const std::string record = folder.read("f/animation.txt");
+  folder.write("f/animation.txt", record.substr(0, record.size() - 5));
+  folder.write("f/.frame-00002.4711.png", "half a picture");
+  FrameFolder drawn(place / "f", origin, true);
+  EXPECT_TRUE(drawn.holds(0));
+  EXPECT_FALSE(drawn.holds(1));
   EXPECT_FALSE(fs::exists(place / "f/.frame-00002.4711.png"));
-  folder.write(1, picture(1));
-  EXPECT_EQ(place.read("f/animation.txt"), record);
+  drawn.write(1, picture(1));
+  EXPECT_EQ(folder.read("f/animation.txt"), record);
 }
 
-TEST(FrameFolder, RefusesFoldersThatItCannotContinue) {
-  const Place place;
-  place.write("file", "text");
-  EXPECT_TRUE(says(refusal(place / "file", false), "is not a folder"));
-  EXPECT_TRUE(says(refusal(place / "file/f", false), "cannot be created"));
+TEST_F(FrameFolders, RefusesFoldersThatItCannotContinue) {
+  folder.write("file", "text");
+  test::expect_has(refusal(place / "file", false), "is not a folder");
+  test::expect_has(refusal(place / "file/f", false), "cannot be created");
   fs::create_directory(place / "foreign");
-  place.write("foreign/frame-00000.png", "picture");
-  EXPECT_TRUE(says(refusal(place / "foreign", false), "already contains frames"));
-  EXPECT_TRUE(says(refusal(place / "foreign", true), "contains frames, but no animation.txt"));
-  place.write("foreign/animation.txt", "");
-  EXPECT_TRUE(says(refusal(place / "foreign", true), "animation.txt: is damaged"));
-  place.write("foreign/animation.txt",
-              "pelage animation 1\nscene: 12\nframes per second: 24\nframes:\nx 12\n");
-  EXPECT_TRUE(says(refusal(place / "foreign", true), "\"x 12\" is not the number of a frame and its hash"));
+  folder.write("foreign/frame-00000.png", "picture");
+  test::expect_has(refusal(place / "foreign", false), "already contains frames");
+  test::expect_has(refusal(place / "foreign", true), "contains frames, but no animation.txt");
+  folder.write("foreign/animation.txt", "");
+  test::expect_has(refusal(place / "foreign", true), "animation.txt: is damaged");
+  folder.write("foreign/animation.txt",
+               "pelage animation 1\nscene: 12\nframes per second: 24\nframes:\nx 12\n");
+  test::expect_has(refusal(place / "foreign", true), "\"x 12\" is not the number of a frame and its hash");
 }
 
-TEST(FrameFolder, OneProcessAtATimeDrawsToAFolder) {
-  const Place place;
+TEST_F(FrameFolders, OneProcessAtATimeDrawsToAFolder) {
   const FrameFolder first(place / "f", origin, false);
-  EXPECT_TRUE(says(refusal(place / "f", true), "another pelage process draws to this folder"));
+  test::expect_has(refusal(place / "f", true), "another pelage process draws to this folder");
 }
 
-TEST(FrameFolder, KilledAndContinuedItHoldsTheSameFiles) {
+TEST_F(FrameFolders, KilledAndContinuedItHoldsTheSameFiles) {
   constexpr int frames = 40;
-  const Place place;
   const auto draw = [&](const std::string& name) {
-    FrameFolder folder(place / name, origin, true);
+    FrameFolder drawn(place / name, origin, true);
     for (int frame = 0; frame < frames; ++frame)
-      if (!folder.holds(frame)) folder.write(frame, picture(frame));
+      if (!drawn.holds(frame)) drawn.write(frame, picture(frame));
   };
   draw("whole");
   std::mt19937_64 random(20261126);
@@ -159,8 +139,7 @@ TEST(FrameFolder, KilledAndContinuedItHoldsTheSameFiles) {
     draw(name);
     for (const auto& entry : fs::directory_iterator(place / "whole")) {
       const std::string file = entry.path().filename().string();
-      EXPECT_EQ(place.read(fs::path(name) / file), place.read(fs::path("whole") / file))
-          << name << " " << file;
+      EXPECT_EQ(folder.read(name + "/" + file), folder.read("whole/" + file)) << name << " " << file;
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(place / name), fs::directory_iterator()), frames + 1);
   }

@@ -1,9 +1,7 @@
 #include "harness/animation/frame_times.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/scene/scene_toml.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -49,8 +47,7 @@ TEST(FrameTimes, WithoutAnEndTheLastKeyframeIsTheEnd) {
 TEST(FrameTimes, RefusesWhatIsOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::string none = frames_refusal({});
-  EXPECT_NE(none.find("no keyframes"), std::string::npos) << none;
-  EXPECT_NE(none.find("--to SECONDS"), std::string::npos) << none;
+  test::expect_has(none, {"no keyframes", "--to SECONDS"});
   // Keyframes of dynamics.time have no effect, so they give no end.
   EXPECT_EQ(frames_refusal({}, "[keyframes]\n\"dynamics.time\" = [[0, 0.0], [9, 1.0]]\n"), none);
   EXPECT_EQ(frames_refusal({.to = 1, .frames = 3}), "give --to or --frames, but not both");
@@ -74,17 +71,15 @@ TEST(FrameTimes, RefusesWhatIsOutOfRange) {
 }
 
 TEST(FrameTimes, AllFramesHaveOneSize) {
-  const std::string refused =
-      frames_refusal({.fps = 1, .to = 3}, "[keyframes]\n\"image.width\" = [[0, 800], [2, 640]]\n");
-  EXPECT_NE(refused.find("the frame at 2 s has 640x600 pixels and the first frame 800x600"),
-            std::string::npos)
-      << refused;
+  test::expect_has(
+      frames_refusal({.fps = 1, .to = 3}, "[keyframes]\n\"image.width\" = [[0, 800], [2, 640]]\n"),
+      "the frame at 2 s has 640x600 pixels and the first frame 800x600");
 }
 
 TEST(FrameTimes, ASceneThatIsNotValidAtTheTimeOfAFrameIsRefused) {
   const std::string opposite = "[keyframes]\n\"camera.direction\" = [[0, [1, 0, 0]], [2, [-1, 0, 0]]]\n";
   EXPECT_EQ(frames_refusal({.fps = 0.5}, opposite), "");
-  EXPECT_NE(frames_refusal({.fps = 1}, opposite).find("camera.direction"), std::string::npos);
+  test::expect_has(frames_refusal({.fps = 1}, opposite), "camera.direction");
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 #include "harness/cl/buffer.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numeric>
 
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 using namespace pelage;
 
@@ -73,7 +71,7 @@ TEST(Buffers, TooLargeSayHowMuchFits) {
   const cl::Device device = cl::choose_device("");
   const std::string said =
       test::refusal<DeviceError>([&] { const cl::Memory memory(device, device.info().max_allocation + 1); });
-  EXPECT_NE(said.find("at most"), std::string::npos) << said;
+  test::expect_has(said, "at most");
 }
 
 TEST(Errors, CarryOpenClsName) {

@@ -1,7 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "harness/cl/device.hpp"
 #include "harness/error.hpp"
+#include "tests/support/texts.hpp"
 
 using namespace pelage;
 
@@ -29,33 +28,20 @@ const std::vector<cl::DeviceInfo> workstation{
     device(3, 0, "rusticl", "MESA", "llvmpipe (LLVM 15.0.6, 256 bits)", false)};
 
 std::string refusal(std::string_view wanted) {
-  try {
-    const std::size_t found = cl::choose(workstation, wanted, "--device");
-    return "found " + std::to_string(found);
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal([&] { cl::choose(workstation, wanted, "--device"); });
 }
 
 }  // namespace
 
 TEST(Choose, NamesOfEveryForm) {
-  const std::pair<const char*, std::size_t> cases[] = {{"0:0", 0},
-                                                       {"2:1", 2},
-                                                       {"nvidia:1", 2},
-                                                       {"NV:0", 1},
-                                                       {"Portable Computing Language:0", 0},
-                                                       {"pocl", 0},
-                                                       {"epyc", 0},
-                                                       {"rusticl", 3},
-                                                       {"llvmpipe", 3},
-                                                       {"mesa:0", 3},
-                                                       {"PTHREAD-amd", 0},
-                                                       {"MESA", 3},
-                                                       {"portable", 0},
-                                                       {"(LLVM 15.0.6,", 3}};
-  for (const auto& [wanted, position] : cases)
-    EXPECT_EQ(cl::choose(workstation, wanted, "--device"), position) << wanted;
+  const std::vector<std::vector<const char*>> names{
+      {"0:0", "Portable Computing Language:0", "pocl", "epyc", "PTHREAD-amd", "portable"},
+      {"NV:0"},
+      {"2:1", "nvidia:1"},
+      {"rusticl", "llvmpipe", "mesa:0", "MESA", "(LLVM 15.0.6,"}};
+  for (std::size_t position = 0; position < names.size(); ++position)
+    for (const char* wanted : names[position])
+      EXPECT_EQ(cl::choose(workstation, wanted, "--device"), position) << wanted;
 }
 
 TEST(Choose, NothingNamedIsTheFirstGpuElseACpu) {
@@ -65,9 +51,8 @@ TEST(Choose, NothingNamedIsTheFirstGpuElseACpu) {
 
 TEST(Choose, AnAmbiguousNameListsItsCandidates) {
   const std::string text = refusal("h100");
-  EXPECT_NE(text.find("2:0 NVIDIA H100"), std::string::npos) << text;
-  EXPECT_NE(text.find("2:1 NVIDIA H100"), std::string::npos) << text;
-  EXPECT_EQ(text.find("pthread"), std::string::npos) << text;
+  test::expect_has(text, {"2:0 NVIDIA H100", "2:1 NVIDIA H100"});
+  test::expect_lacks(text, "pthread");
   EXPECT_NE(refusal("NVIDIA H100 80GB HBM3").find("several"), std::string::npos) << "two devices of one name";
 }
 
@@ -76,7 +61,7 @@ TEST(Choose, AnUnknownNameListsEveryDevice) {
        {"radeon", "1:0", "0:7", "nvidia:2", "0:99999", ":0", "0:", ":", "0:-1", "0:0:0"}) {
     const std::string text = refusal(wanted);
     EXPECT_EQ(text.find("--device " + std::string(wanted) + ": no such device"), 0u) << text;
-    EXPECT_NE(text.find("0:0 pthread"), std::string::npos) << text;
+    test::expect_has(text, "0:0 pthread");
   }
 }
 

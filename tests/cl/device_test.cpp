@@ -1,15 +1,12 @@
 #include "harness/cl/device.hpp"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "harness/cl/buffer.hpp"
 #include "harness/error.hpp"
+#include "tests/support/files.hpp"
 
 using namespace pelage;
 
@@ -49,20 +46,12 @@ namespace {
 
 // The OpenCL loader ocl-icd searches for drivers once per process. Each test therefore runs in a new process,
 // whose folder of driver entries is empty.
-class WithoutDrivers : public ::testing::Test {
- protected:
+struct WithoutDriversDeathTest : test::InFolder {
   void SetUp() override {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    std::string name = (std::filesystem::temp_directory_path() / "pelage-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    ::setenv("OCL_ICD_VENDORS", folder_.c_str(), 1);
+    ::setenv("OCL_ICD_VENDORS", folder.path.c_str(), 1);
   }
-  void TearDown() override {
-    ::unsetenv("OCL_ICD_VENDORS");
-    std::filesystem::remove_all(folder_);
-  }
-  std::filesystem::path folder_;
+  void TearDown() override { ::unsetenv("OCL_ICD_VENDORS"); }
 };
 
 [[noreturn]] void choose_and_exit(const char* wanted) {
@@ -75,8 +64,6 @@ class WithoutDrivers : public ::testing::Test {
   }
   std::exit(0);
 }
-
-using WithoutDriversDeathTest = WithoutDrivers;
 
 TEST_F(WithoutDriversDeathTest, NoDeviceSaysWhatToInstall) {
   EXPECT_EXIT(choose_and_exit(""), ::testing::ExitedWithCode(3), "pocl-opencl-icd");

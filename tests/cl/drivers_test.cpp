@@ -1,40 +1,32 @@
 #include "harness/cl/drivers.hpp"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <fstream>
 
 #include "harness/cl/device.hpp"
+#include "tests/support/files.hpp"
 
-namespace fs = std::filesystem;
 using namespace pelage;
 
 namespace {
 
 // Creates an empty folder for the loader's .icd files and a folder for drivers. Each test counts the OpenCL
 // platforms in a new process, because the OpenCL loader searches for drivers once per process.
-class Drivers : public ::testing::Test {
- protected:
+struct Drivers : test::InFolder {
   void SetUp() override {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    std::string name = (fs::temp_directory_path() / "pelage-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    fs::create_directories(folder_ / "vendors");
-    fs::create_directories(folder_ / "drivers");
+    fs::create_directories(vendors);
+    fs::create_directories(drivers);
     // The test preset asan sets OCL_ICD_VENDORS, which would override OPENCL_VENDOR_PATH.
     ::unsetenv("OCL_ICD_VENDORS");
-    ::setenv("OPENCL_VENDOR_PATH", (folder_ / "vendors").c_str(), 1);
-    ::setenv("PELAGE_DRIVERS", (folder_ / "drivers").c_str(), 1);
+    ::setenv("OPENCL_VENDOR_PATH", vendors.c_str(), 1);
+    ::setenv("PELAGE_DRIVERS", drivers.c_str(), 1);
   }
   void TearDown() override {
     ::unsetenv("OPENCL_VENDOR_PATH");
     ::unsetenv("PELAGE_DRIVERS");
-    fs::remove_all(folder_);
   }
-  fs::path folder_;
+  const fs::path vendors = folder.path / "vendors", drivers = folder.path / "drivers";
 };
 
 /// Returns the path of PoCL's library, which the tests use in place of NVIDIA's library.
@@ -60,15 +52,14 @@ TEST_F(DriversDeathTest, ALibraryThatNoEntryNamesIsFound) {
   if (!fs::exists(some_library()))
     GTEST_SKIP() << "PoCL, which stands in for NVIDIA's driver, is not installed";
   EXPECT_EXIT(exit_with_platforms(), ::testing::ExitedWithCode(0), "");
-  fs::create_symlink(some_library(), folder_ / "drivers" / "libnvidia-opencl.so.1");
+  fs::create_symlink(some_library(), drivers / "libnvidia-opencl.so.1");
   EXPECT_EXIT(exit_with_platforms(), ::testing::ExitedWithCode(1), "");
 }
 
 TEST_F(Drivers, TheLibraryIsTheFirstFoldersAndMayBeVersioned) {
-  const fs::path drivers = folder_ / "drivers", vendors = folder_ / "vendors";
-  EXPECT_FALSE(cl::nvidia_library({folder_ / "nowhere", drivers}));
+  EXPECT_FALSE(cl::nvidia_library({folder.path / "nowhere", drivers}));
   std::ofstream(drivers / "libnvidia-opencl.so.550.54") << "";
-  EXPECT_EQ(cl::nvidia_library({folder_ / "nowhere", drivers}), drivers / "libnvidia-opencl.so.550.54");
+  EXPECT_EQ(cl::nvidia_library({folder.path / "nowhere", drivers}), drivers / "libnvidia-opencl.so.550.54");
   std::ofstream(drivers / "libnvidia-opencl.so.1") << "";
   EXPECT_EQ(cl::nvidia_library({drivers}), drivers / "libnvidia-opencl.so.1");
   EXPECT_FALSE(cl::names_nvidia(vendors));

@@ -2,17 +2,11 @@
 // a buffer.
 #include "tests/support/oclgrind.hpp"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "harness/cl/program.hpp"
+#include "tests/support/texts.hpp"
 
-namespace fs = std::filesystem;
 using namespace pelage;
 
 namespace {
@@ -32,19 +26,16 @@ TEST_F(Oclgrind, SeesAPlantedOverrun) {
   ::setenv("PELAGE_TEST_INDEX", "4", 1);
   const std::string said = complaints("Written.*");
   ::unsetenv("PELAGE_TEST_INDEX");
-  EXPECT_NE(said.find("Invalid write"), std::string::npos) << said;
+  test::expect_has(said, "Invalid write");
 }
 
-// Writes to one element of a buffer of four floats. The environment variable PELAGE_TEST_INDEX gives the
-// index of the element; without it, the test writes to the last element. A test above sets the index 4, which
-// is outside the buffer.
+// Writes to the element PELAGE_TEST_INDEX of a buffer of four floats, or to the last one.
 TEST(Written, WhereTheHostSays) {
   const char* planted = std::getenv("PELAGE_TEST_INDEX");
   const fs::path before = cl::kernel_folder();
-  const fs::path folder = fs::temp_directory_path() / fmt::format("pelage-written-{}", ::getpid());
-  fs::create_directories(folder);
-  std::ofstream(folder / "write.cl") << "__kernel void write(int i, __global float *out) { out[i] = 1; }\n";
-  cl::set_kernel_folder(folder);
+  const test::Folder folder;
+  folder.write("write.cl", "__kernel void write(int i, __global float *out) { out[i] = 1; }\n");
+  cl::set_kernel_folder(folder.path);
   const cl::Queue queue(cl::choose_device(""));
   const std::vector<float> zeros(4);
   const cl::Buffer<float> out(queue, zeros);
@@ -55,5 +46,4 @@ TEST(Written, WhereTheHostSays) {
   }
   queue.finish();
   cl::set_kernel_folder(before);
-  fs::remove_all(folder);
 }

@@ -1,19 +1,15 @@
 #include "harness/cl/program.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <numeric>
 
 #include "harness/error.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 using namespace pelage;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -22,24 +18,12 @@ struct Change {
   int shift;
 };
 
-// A fixture for tests that write kernels to a temporary folder and build them. TearDown() restores the
-// process's kernel folder.
-class Programs : public ::testing::Test {
- protected:
-  void SetUp() override {
-    before_ = cl::kernel_folder();
-    folder_ = fs::temp_directory_path() / fmt::format("pelage-test-kernels-{}", ::getpid());
-    fs::create_directories(folder_);
-    cl::set_kernel_folder(folder_);
-  }
-  void TearDown() override {
-    cl::set_kernel_folder(before_);
-    fs::remove_all(folder_);
-  }
-  void write(const char* name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+struct Programs : test::InFolder {
+  void SetUp() override { cl::set_kernel_folder(folder.path); }
+  void TearDown() override { cl::set_kernel_folder(before_); }
 
+  const fs::path before_ = cl::kernel_folder();
   cl::Device device_ = cl::choose_device("");
-  fs::path before_, folder_;
 };
 
 const char* const scaling = R"(
@@ -55,8 +39,8 @@ __kernel void numbered(uint width, __global uint *out) { out[get_global_id(1) * 
 }  // namespace
 
 TEST_F(Programs, TakeBuffersAndRecordsInOrder) {
-  write("factor.clh", "#ifndef FACTOR\n#define FACTOR 2\n#endif\n");
-  write("scaling.cl", scaling);
+  folder.write("factor.clh", "#ifndef FACTOR\n#define FACTOR 2\n#endif\n");
+  folder.write("scaling.cl", scaling);
   const cl::Queue queue(device_);
   std::vector<float> values(1000);
   std::iota(values.begin(), values.end(), 0.0f);
@@ -73,8 +57,8 @@ TEST_F(Programs, TakeBuffersAndRecordsInOrder) {
 }
 
 TEST_F(Programs, LaunchTwoDimensions) {
-  write("factor.clh", "");
-  write("scaling.cl", scaling);
+  folder.write("factor.clh", "");
+  folder.write("scaling.cl", scaling);
   const cl::Queue queue(device_);
   const cl::Buffer<std::uint32_t> out(device_, 12);
   const cl::Program program(device_, "scaling.cl", "-D FACTOR=1");
@@ -85,17 +69,18 @@ TEST_F(Programs, LaunchTwoDimensions) {
 // PoCL compiles a kernel again for each size of a work-group. The sizes of other drivers would be divisors of
 // the number of work-items.
 TEST_F(Programs, LaunchKernelsInGroupsOfOneSize) {
-  write("groups.cl",
-        "__kernel void sizes(uint count, __global uint *out) {\n"
-        "  size_t i = get_global_id(0);\n"
-        "  if (i < count) out[i] = get_local_size(0);\n"
-        "  if (i == 0) out[count] = get_global_size(0);\n"
-        "}\n"
-        "__kernel __attribute__((reqd_work_group_size(32, 1, 1))) void required(uint count, __global uint "
-        "*out) {\n"
-        "  size_t i = get_global_id(0);\n"
-        "  if (i < count) out[i] = get_local_size(0);\n"
-        "}\n");
+  folder.write(
+      "groups.cl",
+      "__kernel void sizes(uint count, __global uint *out) {\n"
+      "  size_t i = get_global_id(0);\n"
+      "  if (i < count) out[i] = get_local_size(0);\n"
+      "  if (i == 0) out[count] = get_global_size(0);\n"
+      "}\n"
+      "__kernel __attribute__((reqd_work_group_size(32, 1, 1))) void required(uint count, __global uint "
+      "*out) {\n"
+      "  size_t i = get_global_id(0);\n"
+      "  if (i < count) out[i] = get_local_size(0);\n"
+      "}\n");
   const cl::Queue queue(device_);
   const cl::Program program(device_, "groups.cl");
   cl::Kernel sizes(program, "sizes"), required(program, "required");
@@ -122,8 +107,8 @@ TEST_F(Programs, LaunchKernelsInGroupsOfOneSize) {
 }
 
 TEST_F(Programs, WithTheSameTextAreBuiltOnce) {
-  write("factor.clh", "#ifndef FACTOR\n#define FACTOR 2 // not UNREAD\n#endif\n");
-  write("scaling.cl", scaling);
+  folder.write("factor.clh", "#ifndef FACTOR\n#define FACTOR 2 // not UNREAD\n#endif\n");
+  folder.write("scaling.cl", scaling);
   const cl::Program first(device_, "scaling.cl", "-D FACTOR=3"), again(device_, "scaling.cl", "-D FACTOR=3");
   EXPECT_EQ(first.get(), again.get());
   EXPECT_NE(first.get(), cl::Program(device_, "scaling.cl", "-D FACTOR=4").get());
@@ -134,9 +119,10 @@ TEST_F(Programs, WithTheSameTextAreBuiltOnce) {
 TEST_F(Programs, SeeAnEditedInclude) {
   const cl::Queue queue(device_);
   const cl::Buffer<std::uint32_t> out(device_, 1);
-  write("main.cl", "#include \"value.clh\"\n__kernel void value(__global uint *out) { out[0] = VALUE; }\n");
+  folder.write("main.cl",
+               "#include \"value.clh\"\n__kernel void value(__global uint *out) { out[0] = VALUE; }\n");
   for (const std::uint32_t value : {11u, 12u}) {
-    write("value.clh", fmt::format("#define VALUE {}\n", value));
+    folder.write("value.clh", fmt::format("#define VALUE {}\n", value));
     const cl::Program program(device_, "main.cl");
     cl::Kernel(program, "value").with(out).enqueue(queue, 1);
     EXPECT_EQ(out.read(queue).front(), value);
@@ -144,56 +130,48 @@ TEST_F(Programs, SeeAnEditedInclude) {
 }
 
 TEST_F(Programs, FromAFolderWithASpace) {
-  const fs::path spaced = folder_ / "two words";
+  const fs::path spaced = folder.path / "two words";
   fs::create_directories(spaced);
   cl::set_kernel_folder(spaced);
-  std::ofstream(spaced / "factor.clh") << "#define FACTOR 1\n";
-  std::ofstream(spaced / "scaling.cl") << scaling;
+  folder.write("two words/factor.clh", "#define FACTOR 1\n");
+  folder.write("two words/scaling.cl", scaling);
   EXPECT_NO_THROW(cl::Program(device_, "scaling.cl"));
 }
 
 TEST_F(Programs, ThatDoNotBuildShowLogAndOptions) {
-  write("broken.cl", "__kernel void broken(__global float *out) { out[SOMETHING] = no_such_name; }\n");
-  try {
-    const cl::Program program(device_, "broken.cl", "-D SOMETHING=1");
-    FAIL() << "built";
-  } catch (const DeviceError& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("CL_BUILD_PROGRAM_FAILURE"), std::string::npos) << text;
-    EXPECT_NE(text.find("no_such_name"), std::string::npos) << text;
-    EXPECT_NE(text.find("-D SOMETHING=1"), std::string::npos) << text;
-    EXPECT_NE(text.find("broken.cl"), std::string::npos) << text;
-  }
+  folder.write("broken.cl", "__kernel void broken(__global float *out) { out[SOMETHING] = no_such_name; }\n");
+  test::expect_has(test::refusal<DeviceError>([&] { cl::Program(device_, "broken.cl", "-D SOMETHING=1"); }),
+                   {"CL_BUILD_PROGRAM_FAILURE", "no_such_name", "-D SOMETHING=1", "broken.cl"});
 }
 
 TEST_F(Programs, KeepTheLogOfWarnings) {
-  write("warned.cl", "#warning \"look here\"\n__kernel void fine(__global float *out) { out[0] = 1; }\n");
-  EXPECT_NE(cl::Program(device_, "warned.cl").log().find("look here"), std::string::npos);
+  folder.write("warned.cl",
+               "#warning \"look here\"\n__kernel void fine(__global float *out) { out[0] = 1; }\n");
+  test::expect_has(cl::Program(device_, "warned.cl").log(), "look here");
 }
 
 TEST_F(Programs, ThatAreMissingNameTheFile) {
-  const std::string said = test::refusal([&] { const cl::Program program(device_, "absent.cl"); });
-  EXPECT_NE(said.find("absent.cl"), std::string::npos);
-  EXPECT_THROW(cl::set_kernel_folder(folder_ / "absent"), InputError);
+  test::expect_has(test::refusal([&] { cl::Program(device_, "absent.cl"); }), "absent.cl");
+  EXPECT_THROW(cl::set_kernel_folder(folder.path / "absent"), InputError);
 }
 
 TEST_F(Programs, NameAnUnknownKernelAndAWrongArgument) {
-  write("factor.clh", "");
-  write("scaling.cl", scaling);
+  folder.write("factor.clh", "");
+  folder.write("scaling.cl", scaling);
   const cl::Program program(device_, "scaling.cl", "-D FACTOR=1");
-  const std::string said = test::refusal<DeviceError>([&] { const cl::Kernel kernel(program, "absent"); });
-  EXPECT_NE(said.find("CL_INVALID_KERNEL_NAME"), std::string::npos) << said;
-  EXPECT_NE(said.find("absent"), std::string::npos) << said;
+  test::expect_has(test::refusal<DeviceError>([&] { cl::Kernel(program, "absent"); }),
+                   {"CL_INVALID_KERNEL_NAME", "absent"});
   const cl::Buffer<std::uint32_t> out(device_, 1);
   cl::Kernel kernel(program, "numbered");
   EXPECT_THROW(kernel.with(std::uint64_t{1}, out), DeviceError);
 }
 
 TEST_F(Programs, TimeTheirEvents) {
-  write("work.cl",
-        "__kernel void work(__global float *out) { float x = get_global_id(0); for (int i = 0; i < 2000; "
-        "++i) x = fma(x, "
-        "0.5f, 1.0f); out[get_global_id(0)] = x; }\n");
+  folder.write(
+      "work.cl",
+      "__kernel void work(__global float *out) { float x = get_global_id(0); for (int i = 0; i < 2000; "
+      "++i) x = fma(x, "
+      "0.5f, 1.0f); out[get_global_id(0)] = x; }\n");
   const cl::Queue queue(device_);
   const cl::Buffer<float> out(device_, 1 << 16);
   const cl::Program program(device_, "work.cl");

@@ -1,14 +1,11 @@
-#include <gtest/gtest.h>
-
 #include "harness/claims/claim.hpp"
 #include "tests/claims/rows.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::claims {
 namespace {
 
-using test::claim_text;
-using test::file_of;
+using namespace test;
 
 /// Reads a file claims.toml that contains `text`. Returns the end of the error message, from the file's name
 /// on. Returns "" if the reader accepts the file.
@@ -183,14 +180,13 @@ TEST(ClaimFiles, MustExist) {
 
 // Every shipped claim must name its source, and must refer only to experiments that exist.
 TEST(ClaimFiles, TheShippedFileIsComplete) {
-  const ClaimFile file = read_claims(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/claims.toml");
+  const ClaimFile file = read_claims(fs::path(PELAGE_SOURCE_DIR) / "experiments/claims.toml");
   EXPECT_GE(file.claims.size(), 18u);
   for (const Claim& claim : file.claims) {
     EXPECT_FALSE(claim.paper.empty() || claim.section.empty()) << claim.id;
     EXPECT_TRUE(claim.untestable.empty() != claim.experiments.empty()) << claim.id;
     for (const std::string& name : claim.experiments) {
-      EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments" /
-                                          (name + ".toml")))
+      EXPECT_TRUE(fs::exists(fs::path(PELAGE_SOURCE_DIR) / "experiments" / (name + ".toml")))
           << claim.id << ' ' << name;
     }
     if (claim.absolute && claim.untestable.empty()) {

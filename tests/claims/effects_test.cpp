@@ -1,8 +1,6 @@
 // Tests every effect and every quantity of a claim (docs/experiments.md) against values computed by hand.
 #include "harness/claims/effects.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "tests/claims/rows.hpp"
@@ -10,13 +8,11 @@
 namespace pelage::claims {
 namespace {
 
-using test::judged;
-using test::row;
+using namespace test;
 
 constexpr double rounding = 1e-9;
 const char* const any = "{ above = -1000 }";
 
-/// Returns the value of an effect, given as TOML.
 double effect_of(const std::vector<FoundRow>& rows, const std::string& effect) {
   return judged(rows, effect, any).value.value();
 }

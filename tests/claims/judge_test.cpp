@@ -1,18 +1,14 @@
 // Tests which rows decide a claim, the effect of the number of processes, and the reasons of other verdicts.
 #include "harness/claims/judge.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/claims/print.hpp"
 #include "tests/claims/rows.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::claims {
 namespace {
 
-using test::claim_text;
-using test::file_of;
-using test::judged;
-using test::row;
+using namespace test;
 
 const char* const ratio = "name = \"ratio\", axis = \"layers\", of = 64, to = 16";
 
@@ -108,7 +104,7 @@ TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   const Judged one = with("{ at_most = 3.2 }", two_rows());
   EXPECT_EQ(one.verdict, Verdict::undecided);
   EXPECT_EQ(one.processes, 1u);
-  EXPECT_NE(one.reason.find("1 of the 3 processes that are needed"), std::string::npos) << one.reason;
+  pelage::test::expect_has(one.reason, "1 of the 3 processes that are needed");
   EXPECT_EQ(with("{ at_most = 4 }", two_rows()).verdict, Verdict::holds);
   // Each of the two times has the assumed relative spread 0.07, so the standard deviation of the ratio's
   // logarithm is 0.07 * sqrt(2) = 0.099. The ratio is 3, so its interval is 3 * exp(+-1.96 * 0.099).
@@ -188,13 +184,11 @@ TEST(Printing, ShowsEffectIntervalVerdictAndReason) {
               "untestable = \"no rows, yet\"\n"),
       two_rows());
   const std::string text = text_of(list);
-  EXPECT_NE(text.find("holds      c  (shape; )\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("frame time with layers = 64, divided by the value with layers = 16; each case: 3 ["),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("the claim: at most 4"), std::string::npos) << text;
-  EXPECT_NE(text.find("untestable: no rows, yet"), std::string::npos) << text;
-  EXPECT_NE(text.find("2 claims: 1 holds, 0 fails, 0 undecided, 1 untestable\n"), std::string::npos) << text;
+  pelage::test::expect_has(
+      text, {"holds      c  (shape; )\n",
+             "frame time with layers = 64, divided by the value with layers = 16; each case: 3 [",
+             "the claim: at most 4", "untestable: no rows, yet",
+             "2 claims: 1 holds, 0 fails, 0 undecided, 1 untestable\n"});
   const auto table = table_of(list);
   ASSERT_EQ(table.size(), 3u);
   for (const auto& line : table) EXPECT_EQ(line.size(), table[0].size());
@@ -204,8 +198,7 @@ TEST(Printing, ShowsEffectIntervalVerdictAndReason) {
   EXPECT_NEAR(json[0]["effect"].get<double>(), 3, 1e-9);
   EXPECT_TRUE(json[1]["effect"].is_null());
   EXPECT_EQ(json[1]["reason"], "no rows, yet");
-  EXPECT_NE(markdown_of(list).find("| none, shape | a \\| b | p, section 2 |"), std::string::npos)
-      << markdown_of(list);
+  pelage::test::expect_has(markdown_of(list), "| none, shape | a \\| b | p, section 2 |");
 }
 
 }  // namespace

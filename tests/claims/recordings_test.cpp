@@ -3,21 +3,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <numeric>
 #include <set>
 
 #include "harness/claims/judge.hpp"
 #include "harness/measure/statistics.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage::claims {
 namespace {
-
-namespace fs = std::filesystem;
 
 const std::vector<FoundRow>& recordings() {
   static const std::vector<FoundRow> rows =
@@ -184,7 +180,6 @@ TEST(Recordings, PlantedWrongRowsChangeTheVerdicts) {
   EXPECT_GE(changed, 30u);
 }
 
-// plants() must contain a change for every claim that is testable with the recorded rows.
 TEST(Recordings, EveryDecidedClaimIsPlanted) {
   std::set<std::string> planted;
   for (const Plant& plant : plants()) planted.insert(plant.claim);
@@ -222,8 +217,7 @@ TEST(Recordings, TheAssumedSpreadIsNotTooSmall) {
   ASSERT_GE(freedom, 20);
   const double spread = std::sqrt(squares / freedom);
   EXPECT_LE(spread, shipped().process_spread);
-  std::ifstream file(PELAGE_SOURCE_DIR "/experiments/claims.toml");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = pelage::test::text_of(PELAGE_SOURCE_DIR "/experiments/claims.toml");
   EXPECT_NE(text.find(fmt::format("is {:.1f}%", 100 * spread)), std::string::npos) << spread;
 }
 

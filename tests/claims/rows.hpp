@@ -1,7 +1,6 @@
 // Helpers for tests of claims: rows of results with synthetic times, and claims as TOML text.
 #pragma once
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
@@ -30,11 +29,10 @@ inline FoundRow row(const Axes& axes, double ms, const std::string& run = "run")
 
 inline ClaimFile file_of(const std::string& text) {
   const pelage::test::Folder folder;
-  pelage::test::write_text(folder.path / "claims.toml", text);
+  folder.write("claims.toml", text);
   return read_claims(folder.path / "claims.toml");
 }
 
-/// Returns a claim about the experiment "own" as TOML text.
 inline std::string claim_text(const std::string& effect, const std::string& relation,
                               const std::string& rows = "experiment = \"own\"") {
   return fmt::format(

@@ -6,28 +6,27 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string small = " --model torus-16x8 --size 64x48 --set fur.layers=8 --set fur.texture=64";
 const std::string wind =
     " --set dynamics.wind.strength=0.02 --set dynamics.wind.gust=1.5 --set dynamics.wind.frequency=2";
 
-TEST(Animate, FramesOfAStillWetSceneAreThoseOfRender) {
-  const Folder folder;
+struct Animate : InFolder {};
+
+TEST_F(Animate, FramesOfAStillWetSceneAreThoseOfRender) {
   EXPECT_EQ(expect_rendered_frames(folder, "wet" + small, 0, 24, 3), 1u);
 }
 
-TEST(Animate, FramesOfASceneWithWindAreThoseOfRender) {
+TEST_F(Animate, FramesOfASceneWithWindAreThoseOfRender) {
   // A simulated frame lasts 1/60 s, so the pictures are 2 or 3 simulated frames apart, or less than one.
-  const Folder folder, fast;
+  const Folder fast;
   EXPECT_EQ(expect_rendered_frames(folder, "wet-curls" + small + wind, 0.1, 24, 5), 5u);
   const std::size_t different = expect_rendered_frames(fast, "wet-curls" + small + wind, 0.1, 150, 6);
   EXPECT_GT(different, 1u);
   EXPECT_LT(different, 6u);
 }
 
-TEST(Animate, FramesOfMassSpringsAreThoseOfRender) {
-  const Folder folder, adaptive;
+TEST_F(Animate, FramesOfMassSpringsAreThoseOfRender) {
+  const Folder adaptive;
   const std::string grass = "grass-waving --size 64x48 --set fur.layers=8";
   EXPECT_EQ(expect_rendered_frames(folder, grass, 0.2, 10, 4), 4u);
   EXPECT_EQ(expect_rendered_frames(
@@ -38,8 +37,7 @@ TEST(Animate, FramesOfMassSpringsAreThoseOfRender) {
             3u);
 }
 
-TEST(Animate, FramesOfAMovingCameraAreThoseOfRender) {
-  const Folder folder;
+TEST_F(Animate, FramesOfAMovingCameraAreThoseOfRender) {
   folder.write("camera.toml",
                "[keyframes]\n\"camera.direction\" = [[0.0, [1.3, 1.15, 2.35]], [1.0, [-1, 0.5, 2]]]\n"
                "\"shading.ambient\" = [[0.0, 0.2], [0.5, 0.6]]\n\"camera.fov\" = [[0.4, 37.0], [1.0, 20.0]]\n"
@@ -48,16 +46,14 @@ TEST(Animate, FramesOfAMovingCameraAreThoseOfRender) {
   EXPECT_EQ(expect_rendered_frames(folder, "camera.toml" + small + wind, 0, 5, 6), 6u);
 }
 
-TEST(Animate, FramesOfKeyframesThatChangeTheFurAreThoseOfRender) {
-  const Folder folder;
+TEST_F(Animate, FramesOfKeyframesThatChangeTheFurAreThoseOfRender) {
   folder.write("fur.toml",
                "[keyframes]\n\"dynamics.wind.strength\" = [[0.0, 0.0], [0.5, 0.02]]\n\"wetness.random\" = "
                "[[0, 0], [0.3, 200]]\n\"camera.direction\" = [[0.2, [1, 1, 2]], [0.4, [-1, 1, 2]]]\n");
   EXPECT_EQ(expect_rendered_frames(folder, "fur.toml" + small, 0, 10, 6), 6u);
 }
 
-TEST(Animate, FramesOfStrandsAreThoseOfRender) {
-  const Folder folder;
+TEST_F(Animate, FramesOfStrandsAreThoseOfRender) {
   folder.write("strands.toml",
                "model = \"torus-16x8\"\nstrands.layer = [{ count = 3000, length = 0.2 }, { count = 500, "
                "length = 0.4 }]\n[keyframes]\n\"strands.fraction\" = [[0.0, 1.0], [0.5, 0.2]]\n"
@@ -68,8 +64,7 @@ TEST(Animate, FramesOfStrandsAreThoseOfRender) {
   EXPECT_EQ(expect_rendered_frames(folder, scene, 0, 10, 6), 6u);
 }
 
-TEST(Animate, TheOtherPipelinesDrawTheFramesOfRender) {
-  const Folder folder;
+TEST_F(Animate, TheOtherPipelinesDrawTheFramesOfRender) {
   EXPECT_EQ(
       expect_rendered_frames(folder, "wet --pipeline reference --mapping tile" + small + wind, 0.1, 10, 2),
       2u);
@@ -82,31 +77,29 @@ void expect_same_files(const Folder& folder, const std::string& one, const std::
 
 const std::string long_animation = "animate wet-curls" + small + wind + " --fps 30 --frames 200 -o ";
 
-TEST(Animate, KilledAndContinuedItHasTheSameFiles) {
-  const Folder folder;
-  done(folder, long_animation + "whole");
+TEST_F(Animate, KilledAndContinuedItHasTheSameFiles) {
+  done(long_animation + "whole");
   ASSERT_EQ(run_in(folder, fmt::format("pelage {} part & id=$!\n"
                                        "until test -e part/frame-00002.png; do sleep 0.01; done\n"
                                        "kill -9 $id; wait $id || test $? = 137\n",
                                        long_animation)),
             0)
       << folder.read("stderr");
-  ASSERT_FALSE(fs::exists(folder.path() / "part/frame-00199.png"));
+  ASSERT_FALSE(fs::exists(folder.path / "part/frame-00199.png"));
   const std::string first = folder.read("part/frame-00000.png");
-  const auto drawn = fs::last_write_time(folder.path() / "part/frame-00000.png");
+  const auto drawn = fs::last_write_time(folder.path / "part/frame-00000.png");
   expect_refused(
-      pelage(folder, long_animation + "part"),
+      pelage(long_animation + "part"),
       "pelage: part: already contains frames: continue with --resume, or give another folder with -o");
-  expect_refused(pelage(folder, long_animation + "part --resume --set fur.length=0.1"),
+  expect_refused(pelage(long_animation + "part --resume --set fur.length=0.1"),
                  "part/animation.txt: the frames were drawn with \"scene: ");
 
-  expect_has(done(folder, long_animation + "part --resume").err, " kept\n");
-  EXPECT_EQ(fs::last_write_time(folder.path() / "part/frame-00000.png"), drawn);
+  expect_has(done(long_animation + "part --resume").err, " kept\n");
+  EXPECT_EQ(fs::last_write_time(folder.path / "part/frame-00000.png"), drawn);
   expect_same_files(folder, "whole", "part");
 }
 
-TEST(Animate, InterruptedItEndsWithItsCodeAndWholeFrames) {
-  const Folder folder;
+TEST_F(Animate, InterruptedItEndsWithItsCodeAndWholeFrames) {
   for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
     ASSERT_EQ(run_in(folder, fmt::format("pelage {}{} & id=$!\n"
                                          "until test -e {}/frame-00001.png; do sleep 0.01; done\n"
@@ -115,22 +108,19 @@ TEST(Animate, InterruptedItEndsWithItsCodeAndWholeFrames) {
               0)
         << folder.read("stderr");
     expect_has(folder.read("stderr"), "interrupted; finished frames are kept; continue with --resume");
-    done(folder, long_animation + signal + " --resume");
+    done(long_animation + signal + " --resume");
   }
   expect_same_files(folder, "INT", "TERM");
 }
 
-TEST(Animate, ALongerAnimationKeepsTheFrames) {
-  const Folder folder;
+TEST_F(Animate, ALongerAnimationKeepsTheFrames) {
   const std::string scene = "animate wet-curls" + small + wind + " -o frames --fps 10 ";
-  done(folder, scene + "--to 0.3");
-  const Outcome longer = done(folder, scene + "--to 0.5 --resume");
-  expect_has(longer.err, "frames: 2 frames drawn, 4 kept");
-  expect_has(longer.err, "5/6 frame-00004.png, 0.400 s: drawn in ");
+  done(scene + "--to 0.3");
+  expect_has(done(scene + "--to 0.5 --resume").err,
+             {"frames: 2 frames drawn, 4 kept", "5/6 frame-00004.png, 0.400 s: drawn in "});
 }
 
-TEST(Animate, RefusesBadUsageBeforeItDraws) {
-  const Folder folder;
+TEST_F(Animate, RefusesBadUsageBeforeItDraws) {
   folder.write("size.toml", "[keyframes]\n\"image.width\" = [[0, 64], [1, 96]]\n");
   folder.write("file", "");
   const std::pair<const char*, const char*> refused[] = {
@@ -149,26 +139,25 @@ TEST(Animate, RefusesBadUsageBeforeItDraws) {
       {"animate wet -o f --to 1 --pipeline magic", "--pipeline"},
       {"animate wet -o f --to 1 --reference-bits 8", "add --pipeline reference"},
   };
-  for (const auto& [arguments, message] : refused) expect_refused(pelage(folder, arguments), message);
-  EXPECT_FALSE(fs::exists(folder.path() / "f"));
+  for (const auto& [arguments, message] : refused) expect_refused(pelage(arguments), message);
+  EXPECT_FALSE(fs::exists(folder.path / "f"));
 }
 
 /// Makes a folder of programs in which `ffmpeg` writes its arguments to the file `arguments`, and the text
 /// "video" to the file that its last argument names. Returns the environment in which pelage finds it.
 std::string with_fake_ffmpeg(const Folder& folder) {
-  fs::create_directory(folder.path() / "bin");
-  const std::string bin = (folder.path() / "bin").string();
-  folder.write("bin/ffmpeg", "#!/bin/sh\nprintf '%s\\n' \"$PWD\" \"$@\" >>'" + folder.path().string() +
+  fs::create_directory(folder.path / "bin");
+  const std::string bin = (folder.path / "bin").string();
+  folder.write("bin/ffmpeg", "#!/bin/sh\nprintf '%s\\n' \"$PWD\" \"$@\" >>'" + folder.path.string() +
                                  "/arguments'\nfor file; do :; done\nprintf video >\"$file\"\n");
-  fs::permissions(folder.path() / "bin/ffmpeg", fs::perms::owner_all);
+  fs::permissions(folder.path / "bin/ffmpeg", fs::perms::owner_all);
   return fmt::format("PATH='{}:{}'", bin, std::getenv("PATH"));
 }
 
-TEST(Animate, JoinsTheFramesWithFfmpeg) {
-  const Folder folder;
+TEST_F(Animate, JoinsTheFramesWithFfmpeg) {
   const std::string path = with_fake_ffmpeg(folder);
   const std::string scene = "animate wet" + small + " -o frames --frames 3 --fps 60 ";
-  done(folder, scene + "--gif a.gif --mp4 frames/a.mp4", path);
+  done(scene + "--gif a.gif --mp4 frames/a.mp4", path);
   EXPECT_EQ(folder.read("a.gif"), "video");
   EXPECT_EQ(folder.read("frames/a.mp4"), "video");
   const std::string arguments = folder.read("arguments");
@@ -179,23 +168,22 @@ TEST(Animate, JoinsTheFramesWithFfmpeg) {
 
   // If ffmpeg fails, its last message is shown, and the former file stays.
   folder.write("bin/ffmpeg", "#!/bin/sh\necho first; echo no space left >&2; exit 4\n");
-  const Outcome failed = pelage(folder, scene + "--resume --gif a.gif", path);
+  const Outcome failed = pelage(scene + "--resume --gif a.gif", path);
   EXPECT_EQ(failed.code, 1);
   expect_has(failed.err, "a.gif: ffmpeg failed with the exit code 4: no space left");
   EXPECT_EQ(folder.read("a.gif"), "video");
 }
 
-TEST(Animate, WithoutFfmpegAVideoIsRefusedBeforeItDraws) {
-  const Folder folder;
-  fs::create_directory(folder.path() / "bin");
+TEST_F(Animate, WithoutFfmpegAVideoIsRefusedBeforeItDraws) {
+  fs::create_directory(folder.path / "bin");
   ASSERT_EQ(run_in(folder, "ln -s \"$(command -v timeout)\" bin/timeout"), 0);
-  const std::string path = fmt::format("PATH='{}'", (folder.path() / "bin").string());
+  const std::string path = fmt::format("PATH='{}'", (folder.path / "bin").string());
   for (const char* option : {"--gif a.gif", "--mp4 a.mp4"}) {
-    expect_refused(pelage(folder, fmt::format("animate wet {} -o frames --frames 2 {}", small, option), path),
+    expect_refused(pelage(fmt::format("animate wet {} -o frames --frames 2 {}", small, option), path),
                    fmt::format("pelage: {}: needs the program ffmpeg, which is not installed (Debian "
                                "package: ffmpeg); frames need no ffmpeg",
                                option));
-    EXPECT_FALSE(fs::exists(folder.path() / "frames"));
+    EXPECT_FALSE(fs::exists(folder.path / "frames"));
   }
 }
 

@@ -119,6 +119,7 @@ const std::vector<Bad> images = {
     {"--set coat.image=half.exr", "half.exr: "},
     {"--set coat.image=half.jpg", "half.jpg: "},
     {"--set coat.image=huge.png", "huge.png: "},
+    {"--set coat.image=large.png", "16384 x 16384 pixels; pelage reads pictures of at most 67108864 pixels"},
     {"--set coat.image=text.gif",
      "text.gif: pelage does not read this format; it reads PNG, JPEG, TIFF and EXR"},
     {"--set wetness.text=A --set wetness.random=10 --set wetness.text_font=missing.ttf",
@@ -154,13 +155,13 @@ void expect_all(const Folder& folder, const std::vector<Bad>& list, const std::s
   }
 }
 
-TEST(BadInput, Usage) {
-  const Folder folder;
+struct BadInput : InFolder {};
+
+TEST_F(BadInput, Usage) {
   expect_all(folder, usage);
 }
 
-TEST(BadInput, Scenes) {
-  const Folder folder;
+TEST_F(BadInput, Scenes) {
   folder.write("binary.toml", std::string("\x7f\x45\x4c\x46\0\1\2\3", 8));
   folder.write("half.toml", "[fur]\nlength = ");
   folder.write("twice.toml", "model = 'torus'\nmodel = 'cow'\n");
@@ -171,14 +172,12 @@ TEST(BadInput, Scenes) {
   expect_all(folder, scenes);
 }
 
-TEST(BadInput, Models) {
-  const Folder folder;
+TEST_F(BadInput, Models) {
   folder.write("broken.obj", "this is no mesh\n");
   expect_all(folder, models, "", true);
 }
 
-TEST(BadInput, Meshes) {
-  const Folder folder;
+TEST_F(BadInput, Meshes) {
   folder.write("text.obj", "this is no mesh\n");
   folder.write("empty.off", "OFF\n0 0 0\n");
   folder.write("truncated.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n");
@@ -193,7 +192,7 @@ TEST(BadInput, Meshes) {
       "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float "
       "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n");
   expect_all(folder, meshes, "render -o a.png --pipeline reference --size 16x16 ", true);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path / "a.png"));
 }
 
 /// Writes the first half of a valid PNG, TIFF and OpenEXR file, and the header of a JPEG file.
@@ -206,7 +205,7 @@ void write_halves(const Folder& folder) {
     noise.pixel.emplace_back(next(), next(), next(), 1.0f);
   }
   for (const char* name : {"half.png", "half.tif", "half.exr"}) {
-    write_picture(folder.path() / name, noise);
+    write_picture(folder.path / name, noise);
     const std::string bytes = folder.read(name);
     folder.write(name, bytes.substr(0, bytes.size() / 2));
   }
@@ -214,8 +213,7 @@ void write_halves(const Folder& folder) {
                std::string("\xff\xd8\xff\xe0\x00\x10JFIF\x00\x01\x01\x00\x00\x01\x00\x01\x00\x00", 20));
 }
 
-TEST(BadInput, Images) {
-  const Folder folder;
+TEST_F(BadInput, Images) {
   write_halves(folder);
   folder.write("text.png", "this is no picture\n");
   folder.write("text.gif", "this is no picture\n");
@@ -225,16 +223,18 @@ TEST(BadInput, Images) {
       std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x1e\x84\x80\0\x1e\x84\x80\x08\x02\0\0\0\x1f\x4e\x5f\x5f",
                   33) +
           std::string("\0\0\0\0IEND\xae\x42\x60\x82", 12));
+  // The header of a grey picture of 16384 x 16384 pixels, and the beginning of its pixels.
+  folder.write(
+      "large.png",
+      std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\x08\0\0\0\0\x8c\xa3\x4f\x58", 33) +
+          std::string("\0\x04\x93\xe0IDAT", 8) + std::string(300'000, '\0'));
   expect_all(folder, images, tiny_picture + "-o a.png ", true);
 }
 
-TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
-  const Folder folder;
-  write_picture(folder.path() / "coat.png", Picture{1, 1, {{1, 1, 1, 1}}});
-  std::filesystem::copy_file(PELAGE_BINARY, folder.path() / "alone");
-  const auto alone = [&](const std::string& more) {
-    return pelage(folder, tiny_picture + more, "", "./alone");
-  };
+TEST_F(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
+  write_picture(folder.path / "coat.png", Picture{1, 1, {{1, 1, 1, 1}}});
+  std::filesystem::copy_file(PELAGE_BINARY, folder.path / "alone");
+  const auto alone = [&](const std::string& more) { return pelage(tiny_picture + more, "", "./alone"); };
   EXPECT_EQ(alone("-o a.png").code, 0);
   for (const char* needy : {"-o a.exr", "-o a.tif", "-o a.png --set coat.image=coat.png"})
     expect_refused(alone(needy), "pelage: pelage_image_module.so is missing");
@@ -243,17 +243,15 @@ TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
   expect_refused(alone("-o a.exr"), "pelage: the image module cannot be loaded: ", true);
 }
 
-TEST(BadInput, Outputs) {
-  const Folder folder;
-  std::filesystem::create_directory(folder.path() / "folder.png");
+TEST_F(BadInput, Outputs) {
+  std::filesystem::create_directory(folder.path / "folder.png");
   expect_all(folder, outputs, tiny_picture, true);
-  expect_refused(pelage(folder, "scene >/dev/full"), "pelage: standard output cannot be written");
+  expect_refused(pelage("scene >/dev/full"), "pelage: standard output cannot be written");
 }
 
-TEST(BadInput, NoDevice) {
-  const Folder folder;
+TEST_F(BadInput, NoDevice) {
   for (const char* command : {"render -o a.png --model torus", "check", "devices"})
-    expect_refused(pelage(folder, command, "OCL_ICD_VENDORS=" + folder.path().string()), "", false, 3);
+    expect_refused(pelage(command, "OCL_ICD_VENDORS=" + folder.path.string()), "", false, 3);
 }
 
 }  // namespace

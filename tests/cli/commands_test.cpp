@@ -1,118 +1,84 @@
 // Tests the commands of pelage with valid input.
-#include <hdf5.h>
-
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
-#include <numeric>
 #include <vector>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/picture/image_io.hpp"
 #include "tests/cli/shell.hpp"
+#include "tests/dump/table.hpp"
 
 namespace pelage::cli {
 namespace {
 
-TEST(Commands, HelpAndVersionGoToStdout) {
-  const Folder folder;
-  const Outcome help = done(folder, "--help");
+struct Commands : InFolder {};
+
+TEST_F(Commands, HelpAndVersionGoToStdout) {
+  const Outcome help = done("--help");
   EXPECT_EQ(help.err, "");
   for (const char* command : {"devices", "scene", "render", "check"}) {
     expect_has(help.out, command);
-    expect_has(done(folder, std::string(command) + " --help").out, "Usage: pelage " + std::string(command));
+    expect_has(done(std::string(command) + " --help").out, "Usage: pelage " + std::string(command));
   }
-  expect_has(done(folder, "--version").out, "cite");
+  expect_has(done("--version").out, "cite");
 }
 
-TEST(Commands, ThePrintedSceneReadsBackToItself) {
-  const Folder folder;
-  const Outcome first = done(folder, "scene --set fur.layers=16 --set shading.model=wet --set model=torus");
+TEST_F(Commands, ThePrintedSceneReadsBackToItself) {
+  const Outcome first = done("scene --set fur.layers=16 --set shading.model=wet --set model=torus");
   EXPECT_EQ(first.err, "");
   folder.write("written.toml", first.out);
-  const Outcome second = pelage(folder, "scene written.toml");
+  const Outcome second = pelage("scene written.toml");
   EXPECT_EQ(second.out, first.out);
   expect_has(second.out, "\nlayers = 16 ");
 }
 
-/// An HDF5 dataset, converted to floats, with its shape and units.
-struct Dataset {
-  std::vector<hsize_t> shape;
-  std::vector<float> values;
-  std::string units;
-};
-
-Dataset read(hid_t file, const char* name) {
-  Dataset data;
-  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
-  if (set < 0) return data;
-  const hid_t space = H5Dget_space(set);
-  data.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-  H5Sget_simple_extent_dims(space, data.shape.data(), nullptr);
-  data.values.resize(
-      std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>()));
-  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data());
-  const hid_t attribute = H5Aopen(set, "units", H5P_DEFAULT);
-  const hid_t type = H5Aget_type(attribute);
-  data.units.resize(H5Tget_size(type));
-  H5Aread(attribute, type, data.units.data());
-  H5Tclose(type);
-  H5Aclose(attribute);
-  H5Sclose(space);
-  H5Dclose(set);
-  return data;
-}
-
-std::vector<glm::dvec3> vectors(const Dataset& data) {
+std::vector<glm::dvec3> vectors(const std::vector<float>& values) {
   std::vector<glm::dvec3> list;
-  for (std::size_t i = 0; i + 2 < data.values.size(); i += 3)
-    list.emplace_back(data.values[i], data.values[i + 1], data.values[i + 2]);
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    list.emplace_back(values[i], values[i + 1], values[i + 2]);
   return list;
 }
 
-using Shape = std::vector<hsize_t>;
+using Shape = std::vector<std::string>;
 
-TEST(Commands, AnExampleSceneHasAName) {
-  const Folder folder;
-  const std::string by_path = pelage(folder, "scene '" PELAGE_SOURCE_DIR "/examples/wet-curls.toml'").out;
+TEST_F(Commands, AnExampleSceneHasAName) {
+  const std::string by_path = pelage("scene '" PELAGE_SOURCE_DIR "/examples/wet-curls.toml'").out;
   expect_has(by_path, "[fur]");
   for (const char* name : {"wet-curls", "wet-curls.toml"})
-    EXPECT_EQ(pelage(folder, std::string("scene ") + name).out, by_path) << name;
-  const Outcome turned = pelage(folder, "scene wet-curls --model mine.obj --up z");
-  expect_has(turned.out, "/mine.obj\"");
-  expect_has(turned.out, "up = \"z\"");
+    EXPECT_EQ(pelage(std::string("scene ") + name).out, by_path) << name;
+  expect_has(pelage("scene wet-curls --model mine.obj --up z").out, {"/mine.obj\"", "up = \"z\""});
   folder.write("wet-curls", "fur.layers = 7\n");
-  expect_has(pelage(folder, "scene wet-curls").out,
+  expect_has(pelage("scene wet-curls").out,
              "layers = 7");  // a file of the user comes before an example
 }
 
-TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
-  const Folder folder;
-  done(folder,
-       "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
-       "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
-       "frame.h5");
-  const hid_t file = H5Fopen((folder.path() / "frame.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  ASSERT_GE(file, 0);
+TEST_F(Commands, TheDumpHoldsAFrameThatFitsTogether) {
+  done(
+      "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
+      "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
+      "frame.h5");
+  const fs::path path = folder.path / "frame.h5";
+  const Datasets file = datasets_of(path);
   for (const char* name :
        {"mesh/position", "mesh/triangle", "mesh/uv", "mesh/normal", "strand/root", "strand/rest",
         "strand/tip", "mask", "fur", "colour", "layer/offset", "camera/view", "camera/projection", "image"}) {
-    const Dataset data = read(file, name);
-    EXPECT_FALSE(data.values.empty()) << name;
-    EXPECT_FALSE(data.units.empty()) << name;
-    for (const float value : data.values) ASSERT_TRUE(std::isfinite(value)) << name;
+    const std::vector<float> values = floats_of(path, name);
+    EXPECT_FALSE(values.empty()) << name;
+    EXPECT_FALSE(file.at(name).units.empty()) << name;
+    for (const float value : values) ASSERT_TRUE(std::isfinite(value)) << name;
   }
-  const auto vectors_of = [&](const char* name) { return vectors(read(file, name)); };
+  const auto vectors_of = [&](const char* name) { return vectors(floats_of(path, name)); };
   const std::vector<glm::dvec3> position = vectors_of("mesh/position"),
                                 triangle = vectors_of("mesh/triangle");
   const std::size_t vertices = position.size(), faces = 9360;
   EXPECT_EQ(triangle.size(), faces);
-  EXPECT_EQ(read(file, "mask").shape, (Shape{256, 256, 4}));
-  EXPECT_EQ(read(file, "fur").shape, (Shape{4, 32, 32, 2}));
-  EXPECT_EQ(read(file, "fur_mip/1").shape, (Shape{4, 16, 16, 2}));
-  EXPECT_EQ(read(file, "layer/offset").shape, (Shape{4, vertices, 3}));
+  EXPECT_EQ(file.at("mask").shape, (Shape{"256", "256", "4"}));
+  EXPECT_EQ(file.at("fur").shape, (Shape{"4", "32", "32", "2"}));
+  EXPECT_EQ(file.at("fur_mip/1").shape, (Shape{"4", "16", "16", "2"}));
+  EXPECT_EQ(file.at("layer/offset").shape, (Shape{"4", std::to_string(vertices), "3"}));
 
   // The distance from a root to its tip must be at most the length of the strand. Gravity must have moved
   // some tips.
@@ -150,8 +116,8 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   // All vertices must be in front of the camera. In the screen coordinates, the picture extends from -1 to 1
   // along x and along y. The means of the vertices' x and y must be between -4 and 4. A row of a matrix in
   // the file is a column of a matrix of GLM, so the vector stands on the left.
-  const glm::dmat4 view(glm::make_mat4(read(file, "camera/view").values.data())),
-      projection(glm::make_mat4(read(file, "camera/projection").values.data()));
+  const glm::dmat4 view(glm::make_mat4(floats_of(path, "camera/view").data())),
+      projection(glm::make_mat4(floats_of(path, "camera/projection").data()));
   glm::dvec4 middle(0);
   for (const glm::dvec3& p : position) {
     const glm::dvec4 screen = glm::dvec4(p, 1) * view * projection;
@@ -162,45 +128,38 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   EXPECT_LT(std::abs(middle.y), 4);
 
   // The dataset "image" is equal to the picture that the same command wrote.
-  const Dataset image = read(file, "image");
-  EXPECT_EQ(image.shape, (Shape{30, 40, 4}));
-  const Picture picture = read_picture(folder.path() / "image.exr");
-  for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
-    for (int c = 0; c < 4; ++c) ASSERT_EQ(image.values[4 * i + std::size_t(c)], picture.pixel[i][c]);
-  }
-  H5Fclose(file);
+  EXPECT_EQ(file.at("image").shape, (Shape{"30", "40", "4"}));
+  const std::vector<float> image = floats_of(path, "image");
+  const Picture picture = read_picture(folder.path / "image.exr");
+  for (std::size_t i = 0; i < picture.pixel.size(); ++i)
+    for (int c = 0; c < 4; ++c) ASSERT_EQ(image[4 * i + std::size_t(c)], picture.pixel[i][c]);
 }
 
-TEST(Commands, ShellsAndReferenceDrawTheSamePicture) {
-  const Folder folder;
+TEST_F(Commands, ShellsAndReferenceDrawTheSamePicture) {
   const std::string scene =
       "render --model torus --size 80x60 --set fur.layers=8 --set curl.radius=0.02 --set curl.turns=2 ";
   for (const char* rest :
        {"-o tile.exr", "-o pixel.exr --mapping pixel", "-o reference.exr --pipeline reference",
         "-o eight.exr --pipeline reference --reference-bits 8"}) {
-    const Outcome outcome = done(folder, scene + rest);
+    const Outcome outcome = done(scene + rest);
     EXPECT_EQ(outcome.out, "");
   }
-  const Picture reference = read_picture(folder.path() / "reference.exr");
-  for (const char* name : {"tile.exr", "pixel.exr"}) {
-    EXPECT_TRUE(within(compare(read_picture(folder.path() / name), reference))) << name;
-  }
-  const Agreement eight = compare(read_picture(folder.path() / "eight.exr"), reference);
+  const Picture reference = read_picture(folder.path / "reference.exr");
+  for (const char* name : {"tile.exr", "pixel.exr"})
+    EXPECT_TRUE(within(compare(read_picture(folder.path / name), reference))) << name;
+  const Agreement eight = compare(read_picture(folder.path / "eight.exr"), reference);
   EXPECT_GT(eight.worst, 0.0) << "rounding to 8 bits changed nothing";
   EXPECT_GT(eight.psnr, 30.0);
 }
 
-TEST(Commands, ListNamesThePaperAndItsTableWhereThereIsOne) {
-  const Folder folder;
-  const std::string list = done(folder, "list").out;
-  expect_has(list, "(silva2010-curling-clumping, Table 1)\n");
-  expect_has(list, "(banisch2006-grass-and-fur)\n");
+TEST_F(Commands, ListNamesThePaperAndItsTableWhereThereIsOne) {
+  const std::string list = done("list").out;
+  expect_has(list, {"(silva2010-curling-clumping, Table 1)\n", "(banisch2006-grass-and-fur)\n"});
   for (const char* empty : {", )", "(, ", "()"}) EXPECT_FALSE(has(list, empty)) << list;
 }
 
-TEST(Commands, ARowSaysHowManyPixelsAreFlipped) {
-  const Folder folder;
-  done(folder, "run silva2010-table1 --preset smoke --filter torus-16 -o out");
+TEST_F(Commands, ARowSaysHowManyPixelsAreFlipped) {
+  done("run silva2010-table1 --preset smoke --filter torus-16 -o out");
   const std::string rows = folder.read(journal_in(folder, "out"));
   expect_has(rows, R"({"against":"reference","metric":"flips","value":)");
   for (const char* metric : {R"("flips":{"value":)", R"("psnr_without_flips":{"value":)",
@@ -208,37 +167,31 @@ TEST(Commands, ARowSaysHowManyPixelsAreFlipped) {
     expect_has(rows, metric);
 }
 
-TEST(Commands, CheckComparesOneStage) {
-  const Folder folder;
-  const Outcome outcome = done(folder, "check simulate mask --filter torus");
-  expect_has(outcome.out, "simulate");
-  expect_has(outcome.out, "mask");
-  EXPECT_EQ(outcome.out.find("picture"), std::string::npos);
-  EXPECT_EQ(outcome.out.find("FAILED"), std::string::npos);
+TEST_F(Commands, CheckComparesOneStage) {
+  const Outcome outcome = done("check simulate mask --filter torus");
+  expect_has(outcome.out, {"simulate", "mask"});
+  expect_lacks(outcome.out, {"picture", "FAILED"});
 }
 
-TEST(Commands, CheckDrawsFirstWithTheDefaultMappingOfTheDevice) {
+TEST_F(Commands, CheckDrawsFirstWithTheDefaultMappingOfTheDevice) {
   // The check names the mapping of each comparison of pictures. A device with one lane per work-item must not
   // be asked for the mapping `tile`.
-  const Folder folder;
-  const Outcome all = done(folder, "check picture mappings --filter 'torus.*curly'", "PELAGE_LANES=1");
+  const Outcome all = done("check picture mappings --filter 'torus.*curly'", "PELAGE_LANES=1");
   const auto group = all.out.find(", group"), pixel = all.out.find(", pixel");
   EXPECT_LT(group, pixel) << all.out;
   EXPECT_NE(pixel, std::string::npos) << all.out;
-  EXPECT_EQ(all.out.find("tile"), std::string::npos) << all.out;
-  const Outcome one = done(folder, "check picture --mapping pixel --filter 'torus.*curly'", "PELAGE_LANES=1");
+  expect_lacks(all.out, "tile");
+  const Outcome one = done("check picture --mapping pixel --filter 'torus.*curly'", "PELAGE_LANES=1");
   expect_has(one.out, ", pixel");
-  EXPECT_EQ(one.out.find("group"), std::string::npos) << one.out;
-  expect_refused(pelage(folder, "check picture --mapping tile", "PELAGE_LANES=1"), "mapping 'tile': on ");
+  expect_lacks(one.out, "group");
+  expect_refused(pelage("check picture --mapping tile", "PELAGE_LANES=1"), "mapping 'tile': on ");
 }
 
-TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
-  const Folder folder;
-  std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels",
-                        std::filesystem::copy_options::recursive);
+TEST_F(Commands, CheckFailsOnKernelsThatAreWrong) {
+  fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels", fs::copy_options::recursive);
   // The test inserts a mistake into a copy of the kernels: it halves the wetness of all droplets.
   folder.edit("kernels/wet/equations.clh", ": drop.wetness;", ": 0.5f * drop.wetness;");
-  const Outcome outcome = pelage(folder, "--kernels kernels check mask --filter 'torus.*wet'");
+  const Outcome outcome = pelage("--kernels kernels check mask --filter 'torus.*wet'");
   EXPECT_EQ(outcome.code, 1) << outcome.out << outcome.err;
   expect_has(outcome.out, "FAILED");
 }

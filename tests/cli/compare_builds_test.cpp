@@ -1,7 +1,5 @@
 // Tests scripts/compare_builds.py with two equal builds: it must draw frames with the two builds alternately,
 // and print the ratios of the frame times of the builds.
-#include <gtest/gtest.h>
-
 #include <cstdio>
 
 #include "tests/cli/shell.hpp"
@@ -9,22 +7,19 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "AddressSanitizer must be the first library that is loaded";
 #endif
   const Folder folder;
-  fs::create_directories(folder.path() / "tree/build/release");
-  fs::create_symlink(PELAGE_BINARY, folder.path() / "tree/build/release/pelage");
+  fs::create_directories(folder.path / "tree/build/release");
+  fs::create_symlink(PELAGE_BINARY, folder.path / "tree/build/release/pelage");
   for (const char* part : {"experiments", "kernels", "shaders"})
-    fs::create_symlink(fs::path(PELAGE_SOURCE_DIR) / part, folder.path() / "tree" / part);
-  const std::string command = "cd '" + folder.path().string() +
-                              "' && python3 '" PELAGE_SOURCE_DIR
-                              "/scripts/compare_builds.py' tree tree -o out --rounds 2 --frames 3 --models "
-                              "torus --layers 16 --size 320x240 >stdout 2>stderr";
-  EXPECT_EQ(std::system(command.c_str()), 0) << folder.read("stderr");
+    fs::create_symlink(fs::path(PELAGE_SOURCE_DIR) / part, folder.path / "tree" / part);
+  const int code = shell(folder, "python3 '" PELAGE_SOURCE_DIR
+                                 "/scripts/compare_builds.py' tree tree -o out --rounds 2 --frames 3 "
+                                 "--models torus --layers 16 --size 320x240");
+  EXPECT_EQ(code, 0) << folder.read("stderr");
   const std::string text = folder.read("stdout");
   expect_has(text, "2 rounds; frame time new / old, and control / old\n");
   const auto line = text.find("geometric mean");
@@ -37,8 +32,7 @@ TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
   EXPECT_GT(ratio, 0);
   EXPECT_GT(control, 0);
   for (const char* side : {"old", "new", "control"})
-    EXPECT_TRUE(fs::is_directory(folder.path() / "out" / ("1-torus-16-320x240-" + std::string(side))))
-        << side;
+    EXPECT_TRUE(fs::is_directory(folder.path / "out" / ("1-torus-16-320x240-" + std::string(side)))) << side;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct Block {
   std::string language, text;
 };
 
-inline std::vector<Block> blocks_of(const std::filesystem::path& document) {
+inline std::vector<Block> blocks_of(const fs::path& document) {
   std::ifstream file(document);
   std::vector<Block> blocks;
   bool inside = false;
@@ -34,14 +34,10 @@ inline std::vector<Block> blocks_of(const std::filesystem::path& document) {
 
 /// Runs the script in the folder. In the script, the command `pelage` runs `binary`. Returns the script's
 /// exit status.
-inline int run_in(const Folder& folder, const std::string& script,
-                  const std::filesystem::path& binary = PELAGE_BINARY) {
+inline int run_in(const Folder& folder, const std::string& script, const fs::path& binary = PELAGE_BINARY) {
   folder.write("block.sh", "set -e\n" + script);
-  const std::string command = "cd '" + folder.path().string() +
-                              "' && ASAN_OPTIONS=detect_leaks=0 PELAGE_KERNELS='" +
-                              PELAGE_SOURCE_DIR "/kernels' PATH=\"" + binary.parent_path().string() +
-                              ":$PATH\" sh block.sh >stdout 2>stderr";
-  return std::system(command.c_str());
+  return shell(folder, fmt::format("PELAGE_KERNELS='{}/kernels' PATH=\"{}:$PATH\" sh block.sh",
+                                   PELAGE_SOURCE_DIR, binary.parent_path().string()));
 }
 
 }  // namespace pelage::cli

@@ -1,7 +1,5 @@
 // Compares the tables of equations in docs/shells.md and docs/springs.md with the comments of the kernels and
 // the names of the tests.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -9,23 +7,15 @@
 #include <vector>
 
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
 using test::text_of;
 
 /// The name of an equation, and the name of a function that computes the equation.
 using Line = std::pair<std::string, std::string>;
-
-std::vector<std::string> all(const std::string& text, const std::regex& pattern) {
-  std::vector<std::string> found;
-  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
-    found.push_back((*match)[1].matched ? (*match)[1].str() : match->str());
-  }
-  return found;
-}
 
 const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 
@@ -42,7 +32,8 @@ std::set<Line> anchors_of(const std::string& source) {
       continue;
     }
     if (std::regex_search(line, match, function)) {
-      for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
+      for (const std::string& equation : test::matches(comment, numbered))
+        anchors.emplace(equation, match[1]);
     } else {
       // The comment ends at a line that contains neither a comment nor a function. A line with a function
       // does not end the comment, because the comment may also describe the function on the next line.
@@ -55,13 +46,12 @@ std::set<Line> anchors_of(const std::string& source) {
 TEST(EquationTable, IsWhatTheKernelsSay) {
   const fs::path root = PELAGE_SOURCE_DIR;
   std::set<Line> anchors;
-  for (const auto& entry : fs::recursive_directory_iterator(root / "kernels")) {
-    if (entry.path().extension() == ".clh") anchors.merge(anchors_of(text_of(entry.path())));
-  }
+  for (const fs::path& file : test::files_below(root / "kernels", ".clh"))
+    anchors.merge(anchors_of(text_of(file)));
   std::set<std::string> tests;
   static const std::regex test(R"(TEST(_P|_F)?\(\s*(\w+),\s*(\w+)\))");
-  for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
-    const std::string source = entry.path().extension() == ".cpp" ? text_of(entry.path()) : "";
+  for (const fs::path& file : test::files_below(root / "tests", ".cpp")) {
+    const std::string source = text_of(file);
     for (std::sregex_iterator match(source.begin(), source.end(), test), end; match != end; ++match) {
       tests.insert((*match)[2].str() + "." + (*match)[3].str());
     }
@@ -76,9 +66,9 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
         row.rfind("| Algorithm", 0) != 0)
       continue;
     const std::string equations = row.substr(0, row.find('|', 1));
-    const std::vector<std::string> names = all(row, quoted);
+    const std::vector<std::string> names = test::matches(row, quoted);
     ASSERT_GE(names.size(), 5u) << row << " has no test";
-    for (const std::string& equation : all(equations, numbered)) table.emplace(equation, names[0]);
+    for (const std::string& equation : test::matches(equations, numbered)) table.emplace(equation, names[0]);
     // names[0] is a function of the kernels, and names[1] is its file. names[2] is a function of the
     // reference, and names[3] is its file.
     for (std::size_t i = 0; i < 4; i += 2)

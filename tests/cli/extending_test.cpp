@@ -1,8 +1,5 @@
 // Runs the commands of docs/extending.md block by block, as a reader would.
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -13,18 +10,12 @@ namespace {
 
 /// Copies the files that the diff names from `source` to `changes`, and applies the diff to the copies. The
 /// test fails if the text that a hunk of the diff replaces does not occur exactly once in its file.
-void apply(const std::string& diff, const std::filesystem::path& source,
-           const std::filesystem::path& changes) {
-  std::filesystem::path file;
+void apply(const std::string& diff, const fs::path& source, const fs::path& changes) {
+  fs::path file;
   std::string before, after;
   const auto replace = [&] {
     if (before.empty()) return;
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    const std::size_t at = text.find(before);
-    ASSERT_NE(at, std::string::npos) << file << " does not contain\n" << before;
-    ASSERT_EQ(text.find(before, at + 1), std::string::npos) << file << " contains more than once\n" << before;
-    std::ofstream(file, std::ios::binary) << text.replace(at, before.size(), after);
+    test::write_text(file, test::replaced(test::text_of(file), before, after));
     before = after = "";
   };
   std::istringstream lines(diff);
@@ -32,8 +23,8 @@ void apply(const std::string& diff, const std::filesystem::path& source,
     if (line.rfind("+++ b/", 0) == 0) {
       replace();
       file = changes / line.substr(6);
-      std::filesystem::create_directories(file.parent_path());
-      if (!std::filesystem::exists(file)) std::filesystem::copy_file(source / line.substr(6), file);
+      fs::create_directories(file.parent_path());
+      if (!fs::exists(file)) fs::copy_file(source / line.substr(6), file);
     } else if (line.rfind("@@", 0) == 0) {
       replace();
     } else if (line.rfind("--- ", 0) != 0) {
@@ -46,10 +37,10 @@ void apply(const std::string& diff, const std::filesystem::path& source,
 
 TEST(Extending, EveryBlockOfTheDocumentWorks) {
   const Folder folder;
-  const std::filesystem::path source = PELAGE_SOURCE_DIR, changes = folder.path() / "changes";
+  const fs::path source = PELAGE_SOURCE_DIR, changes = folder.path / "changes";
   const auto blocks = blocks_of(source / "docs/extending.md");
   ASSERT_GE(blocks.size(), 16u);
-  std::filesystem::path binary = PELAGE_BINARY;
+  fs::path binary = PELAGE_BINARY;
   std::set<std::string> touched;  // existing files that the document changed since the last build
   int shells = 0, builds = 0;
   bool changed = false;
@@ -57,10 +48,10 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
     SCOPED_TRACE("docs/extending.md, line " + std::to_string(block.line));
     if (block.language == "sh") {
       if (changed) {
-        const std::string build =
-            "python3 '" + (source / "tests/cli/changed_build.py").string() + "' '" + source.string() + "' '" +
-            std::filesystem::path(PELAGE_BINARY).lexically_normal().parent_path().string() + "' '" +
-            changes.string() + "'";
+        const std::string build = "python3 '" + (source / "tests/cli/changed_build.py").string() + "' '" +
+                                  source.string() + "' '" +
+                                  fs::path(PELAGE_BINARY).lexically_normal().parent_path().string() + "' '" +
+                                  changes.string() + "'";
         ASSERT_EQ(run_in(folder, build, binary), 0) << folder.read("stdout") << folder.read("stderr");
         EXPECT_LE(touched.size(), 2u);  // each example may change at most two existing files
         touched.clear();
@@ -81,7 +72,7 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
       ASSERT_EQ(block.text.rfind(code ? "// " : "# ", 0), 0u);
       const std::string name = block.text.substr(code ? 3 : 2, end - (code ? 3 : 2));
       if (code) {
-        std::filesystem::create_directories((changes / name).parent_path());
+        fs::create_directories((changes / name).parent_path());
         folder.write("changes/" + name, block.text);
         changed = true;
       } else {
@@ -91,9 +82,8 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
   }
   EXPECT_GE(shells, 7);
   EXPECT_EQ(builds, 3);  // a mapping, a system, a topology
-  for (const char* made : {"resolved.toml", "sheep.png", "tetrahedron.ply", "tetrahedron.png"}) {
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / made)) << made;
-  }
+  for (const char* made : {"resolved.toml", "sheep.png", "tetrahedron.ply", "tetrahedron.png"})
+    EXPECT_TRUE(fs::exists(folder.path / made)) << made;
 }
 
 }  // namespace

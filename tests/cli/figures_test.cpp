@@ -1,6 +1,5 @@
 // Tests `pelage diagram`, the option --case, and the pages of the papers' figures.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,32 +13,28 @@
 namespace pelage::cli {
 namespace {
 
-TEST(Figures, OneFigureIsRunAndAgreesWithTheReference) {
-  const Folder folder;
-  const Outcome run = done(folder, "run silva2010-fig08 --preset smoke --axis figure=wet -o run");
+struct Figures : InFolder {};
+
+TEST_F(Figures, OneFigureIsRunAndAgreesWithTheReference) {
+  const Outcome run = done("run silva2010-fig08 --preset smoke --axis figure=wet -o run");
   expect_has(run.err, "1 cases ok, 0 cases not ok");
-  const Picture picture = read_picture(folder.path() / "run/silva2010-fig08/images/wet-160x120.png");
+  const Picture picture = read_picture(folder.path / "run/silva2010-fig08/images/wet-160x120.png");
   EXPECT_EQ(picture.width, 160);
 
   // --case selects the same scene, so the same device draws the same picture.
-  done(folder, "render silva2010-fig08 --case wet-640x480 --size 160x120 -o again.png");
-  const Picture again = read_picture(folder.path() / "again.png");
+  done("render silva2010-fig08 --case wet-640x480 --size 160x120 -o again.png");
+  const Picture again = read_picture(folder.path / "again.png");
   ASSERT_EQ(again.pixel.size(), picture.pixel.size());
   const auto same = [](const glm::vec4& a, const glm::vec4& b) { return glm::vec3(a) == glm::vec3(b); };
   EXPECT_TRUE(std::equal(picture.pixel.begin(), picture.pixel.end(), again.pixel.begin(), same));
 }
 
-TEST(Figures, TheCollectionNamesAllTheirCases) {
-  const Folder folder;
-  const Outcome dry = done(folder, "run figures --dry-run");
-  expect_has(dry.out, "silva2010-fig13\tnear-640x480");
-  expect_has(dry.out, "wetfur2010-fig06\tc-640x480");
+TEST_F(Figures, TheCollectionNamesAllTheirCases) {
+  const Outcome dry = done("run figures --dry-run");
+  expect_has(dry.out, {"silva2010-fig13\tnear-640x480", "wetfur2010-fig06\tc-640x480"});
   // The pages show only cases that exist, and all of them.
-  ASSERT_EQ(std::system(("'" PELAGE_SOURCE_DIR "/scripts/figure_sheets.py' --list >'" +
-                         folder.path().string() + "/list'")
-                            .c_str()),
-            0);
-  std::istringstream list(folder.read("list")), cases(dry.out);
+  ASSERT_EQ(shell("'" PELAGE_SOURCE_DIR "/scripts/figure_sheets.py' --list"), 0);
+  std::istringstream list(folder.read("stdout")), cases(dry.out);
   std::set<std::string> shown, known;
   for (std::string experiment, name, kind; list >> experiment >> name >> kind;) {
     expect_has(dry.out, fmt::format("{}\t{}\t", experiment, name));
@@ -56,11 +51,11 @@ TEST(Figures, TheCollectionNamesAllTheirCases) {
   EXPECT_EQ(shown, known);
 }
 
-TEST(Diagrams, MasksShowTheTextAndNothingElse) {
-  const Folder folder;
-  done(folder,
-       "diagram mask wet-text --set wetness.text=I --set wetness.text_height=0.4 --side 256 -o mask.png");
-  const Picture mask = read_picture(folder.path() / "mask.png");
+struct Diagrams : InFolder {};
+
+TEST_F(Diagrams, MasksShowTheTextAndNothingElse) {
+  done("diagram mask wet-text --set wetness.text=I --set wetness.text_height=0.4 --side 256 -o mask.png");
+  const Picture mask = read_picture(folder.path / "mask.png");
   ASSERT_EQ(mask.width, 256);
   int inside = 0, outside = 0;
   for (int y = 0; y < 256; ++y)
@@ -75,27 +70,24 @@ TEST(Diagrams, MasksShowTheTextAndNothingElse) {
   EXPECT_EQ(outside, 0);
 }
 
-TEST(Diagrams, SectionsAreTablesAndPlots) {
-  const Folder folder;
-  const Outcome table = done(folder, "diagram shape --set fur.layers=4");
+TEST_F(Diagrams, SectionsAreTablesAndPlots) {
+  const Outcome table = done("diagram shape --set fur.layers=4");
   EXPECT_EQ(table.out.substr(0, table.out.find('\n')), "w,h,f");
   EXPECT_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 1 + 5 * 4);
   for (const char* kind : {"shape", "clump", "curl", "layers"}) {
     const std::string name = kind;
-    done(folder,
-         fmt::format("diagram {0} --model torus --set fur.layers=4 --set curl.radius=0.02 -o {0}.svg", name));
+    done(fmt::format("diagram {0} --model torus --set fur.layers=4 --set curl.radius=0.02 -o {0}.svg", name));
     expect_has(folder.read(name + ".svg"), "<svg");
     EXPECT_FALSE(folder.read(name + ".csv").empty());
   }
 }
 
-TEST(Diagrams, StrandsAreWhiteLinesOverTheFur) {
-  const Folder folder;
+TEST_F(Diagrams, StrandsAreWhiteLinesOverTheFur) {
   const std::string scene = "silva2010-fig04 --case triangle-640x480 --size 160x120 ";
-  done(folder, "render " + scene + "-o fur.png");
-  done(folder, "diagram lines " + scene + "-o strands.png --line-width 3");
-  const Picture fur = read_picture(folder.path() / "fur.png"),
-                lines = read_picture(folder.path() / "strands.png");
+  done("render " + scene + "-o fur.png");
+  done("diagram lines " + scene + "-o strands.png --line-width 3");
+  const Picture fur = read_picture(folder.path / "fur.png"),
+                lines = read_picture(folder.path / "strands.png");
   int white = 0, other = 0;
   for (std::size_t i = 0; i < fur.pixel.size(); ++i) {
     if (glm::vec3(fur.pixel[i]) == glm::vec3(lines.pixel[i])) continue;

@@ -22,7 +22,7 @@ inline std::size_t expect_rendered_frames(const Folder& folder, const std::strin
         << scene << ", frame " << frame << " at " << time << " s";
     pictures.insert(picture);
   }
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / frame_of(count)));
+  EXPECT_FALSE(std::filesystem::exists(folder.path / frame_of(count)));
   return pictures.size();
 }
 

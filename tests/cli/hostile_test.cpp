@@ -9,30 +9,27 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
+struct Hostile : InFolder {};
 
-TEST(Hostile, APictureIsWrittenThroughALink) {
-  const Folder folder;
+TEST_F(Hostile, APictureIsWrittenThroughALink) {
   folder.write("real.png", "old");
-  fs::create_symlink("real.png", folder.path() / "link.png");
-  done(folder, "render -o link.png --pipeline reference --model torus-24x12 --size 16x16 --set fur.layers=2");
-  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.png"));
+  fs::create_symlink("real.png", folder.path / "link.png");
+  done("render -o link.png --pipeline reference --model torus-24x12 --size 16x16 --set fur.layers=2");
+  EXPECT_TRUE(fs::is_symlink(folder.path / "link.png"));
   EXPECT_EQ(folder.read("real.png").substr(1, 3), "PNG");
 }
 
-TEST(Hostile, FiltersOfEveryShapeEndWithOneShortLine) {
-  const Folder folder;
+TEST_F(Hostile, FiltersOfEveryShapeEndWithOneShortLine) {
   folder.write("own.toml", of_torus("layers = [4]"));
   const std::string check = "check --filter '";
-  const Outcome deep = pelage(folder, check + std::string(20'000, '(') + "'");
+  const Outcome deep = pelage(check + std::string(20'000, '(') + "'");
   expect_refused(deep, "this is not a valid regular expression");
   EXPECT_LT(deep.err.size(), 400u) << "the message must not repeat the expression";
-  expect_refused(pelage(folder, "run own.toml --dry-run --filter '(.*)*x(.*)*y(.*)*z$'"),
+  expect_refused(pelage("run own.toml --dry-run --filter '(.*)*x(.*)*y(.*)*z$'"),
                  "no case of the preset quick has a name that matches");
 }
 
-TEST(Hostile, ExperimentsOfTooManyCasesAreRefusedBeforeTheirListIsMade) {
-  const Folder folder;
+TEST_F(Hostile, ExperimentsOfTooManyCasesAreRefusedBeforeTheirListIsMade) {
   std::string hundred = "[0";
   for (int i = 1; i < 100; ++i) hundred += ", " + std::to_string(i);
   hundred += "]\n";
@@ -41,67 +38,48 @@ TEST(Hostile, ExperimentsOfTooManyCasesAreRefusedBeforeTheirListIsMade) {
     axes += key + (" = " + hundred);
   folder.write("own.toml", of_torus(axes));
   for (const char* command : {"list own.toml", "run own.toml --dry-run"})
-    expect_refused(pelage(folder, command), "10000000000 combinations of values; the limit is 100000");
+    expect_refused(pelage(command), "10000000000 combinations of values; the limit is 100000");
 }
 
 // Every case records the values of --axis, so the memory grows with the square of their number. pelage
 // refuses the values that would need gigabytes. The values of an axis in an experiment file are not recorded.
-TEST(Hostile, AnAxisOfManyValuesIsNoCaseOfManyGigabytes) {
-  const Folder folder;
+TEST_F(Hostile, AnAxisOfManyValuesIsNoCaseOfManyGigabytes) {
   folder.write("own.toml", of_torus("layers = [4]"));
-  expect_refused(pelage(folder, "run own.toml --dry-run --axis wetness.seed=$(seq -s, 1 20000)"),
+  expect_refused(pelage("run own.toml --dry-run --axis wetness.seed=$(seq -s, 1 20000)"),
                  "each of the 20000 cases records the values of --set and --axis, 2178 MB in total; the "
                  "limit is 256 MB");
   std::string values = "[1";
   for (int i = 2; i <= 20'000; ++i) values += ", " + std::to_string(i);
   folder.write("long.toml", of_torus("layers = [4]\nwetness.seed = " + values + "]"));
-  const Outcome dry = done(folder, "run long.toml --dry-run");
+  const Outcome dry = done("run long.toml --dry-run");
   EXPECT_EQ(std::count(dry.out.begin(), dry.out.end(), '\n'), 20'000);
   rusage use{};
   ASSERT_EQ(getrusage(RUSAGE_CHILDREN, &use), 0);
   EXPECT_LT(use.ru_maxrss, 1024L * 1024) << "KiB, the largest memory of a process of this test program";
 }
 
-TEST(Hostile, ACoatOfTooManyPixelsIsRefused) {
-  const Folder folder;
-  // A truncated PNG file: the header of a grey picture of 16384 x 16384 pixels, and the beginning of its
-  // pixel data.
-  folder.write(
-      "coat.png",
-      std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\x08\0\0\0\0\x8c\xa3\x4f\x58", 33) +
-          std::string("\0\x04\x93\xe0IDAT", 8) + std::string(300'000, '\0'));
-  expect_refused(
-      pelage(
-          folder,
-          "render -o a.png --pipeline reference --model torus-24x12 --size 16x16 --set coat.image=coat.png"),
-      "16384 x 16384 pixels; pelage reads pictures of at most 67108864 pixels", true);
-}
-
-TEST(Hostile, ControlCharactersOfNamesDoNotReachTheTerminal) {
-  const Folder folder;
-  expect_refused(pelage(folder, "render -o \"$(printf 'a\\033[31mb\\007.jpg')\""),
+TEST_F(Hostile, ControlCharactersOfNamesDoNotReachTheTerminal) {
+  expect_refused(pelage("render -o \"$(printf 'a\\033[31mb\\007.jpg')\""),
                  "a\\x1b[31mb\\x07.jpg: a picture is written as .png, .exr or .tif");
 }
 
-TEST(Hostile, ABadLineOfAJournalNamesTheRemedyWhichWorks) {
-  const Folder folder;
+TEST_F(Hostile, ABadLineOfAJournalNamesTheRemedyWhichWorks) {
   folder.write("own.toml", of_torus("layers = [4, 8]"));
-  done(folder, "run own.toml -o out");
+  done("run own.toml -o out");
   const std::string journal = journal_in(folder, "out"), good = folder.read(journal);
   folder.write(journal, "damaged" + good);
   for (const char* command : {"run own.toml --resume out", "report out -o page"})
-    expect_refused(pelage(folder, command), "if you delete this line, --resume runs its case again");
+    expect_refused(pelage(command), "if you delete this line, --resume runs its case again");
   folder.write(journal, good.substr(good.find('\n') + 1));
-  expect_has(done(folder, "run own.toml --resume out").err, "1 cases ok");
+  expect_has(done("run own.toml --resume out").err, "1 cases ok");
 }
 
-TEST(Hostile, ACaseThatEndsInAnErrorGivesCode1AndIsTriedAgain) {
-  const Folder folder;
+TEST_F(Hostile, ACaseThatEndsInAnErrorGivesCode1AndIsTriedAgain) {
   folder.write("own.toml",
                experiment("model = [\"torus-24x12\", \"other.obj\"]\nlayers = [4]\nsize = [\"320x240\"]"));
   folder.write("other.obj", "no mesh\n");
   for (const char* command : {"run own.toml -o out", "run own.toml --resume out"}) {
-    const Outcome outcome = pelage(folder, command);
+    const Outcome outcome = pelage(command);
     EXPECT_EQ(outcome.code, 1) << outcome.err;
     expect_has(outcome.err, "1 cases not ok");
   }
@@ -109,13 +87,12 @@ TEST(Hostile, ACaseThatEndsInAnErrorGivesCode1AndIsTriedAgain) {
 
 // A user can interrupt pelage before it creates the results folder. pelage must then not advise the user to
 // continue the run with --resume. It may end without any message.
-TEST(Hostile, AnInterruptBeforeTheFirstRowAdvisesNoFolder) {
-  const Folder folder;
+TEST_F(Hostile, AnInterruptBeforeTheFirstRowAdvisesNoFolder) {
   folder.write("own.toml", of_torus("layers = [4]"));
   const std::string interrupted = "timeout -s INT ";
   for (const char* seconds : {"0.02", "0.05", "0.1", "0.2"}) {
-    const Outcome outcome = pelage(folder, "run own.toml -o none", interrupted + seconds);
-    if (fs::exists(folder.path() / "none")) break;
+    const Outcome outcome = pelage("run own.toml -o none", interrupted + seconds);
+    if (fs::exists(folder.path / "none")) break;
     EXPECT_FALSE(has(outcome.err, "--resume")) << seconds << " s: " << outcome.err;
   }
 }

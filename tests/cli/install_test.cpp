@@ -5,17 +5,12 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string build = fs::path(PELAGE_BINARY).lexically_normal().parent_path().string();
 
 std::string output_of(const Folder& folder, const std::string& script, int code = 0) {
   folder.write("script.sh", "set -e\n" + script);
-  const std::string command =
-      "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 bash script.sh >output 2>errors";
-  const int status = std::system(command.c_str());
-  EXPECT_EQ(WEXITSTATUS(status), code) << folder.read("errors") << folder.read("output");
-  return folder.read("output") + folder.read("errors");
+  EXPECT_EQ(shell(folder, "bash script.sh"), code) << folder.read("stderr") << folder.read("stdout");
+  return folder.read("stdout") + folder.read("stderr");
 }
 
 /// Installs pelage into the folder `inst`. The tests change installed files and expect that the program uses
@@ -48,23 +43,23 @@ TEST_F(Install, ExperimentsAndModelsAreTheInstalledOnes) {
 TEST_F(Install, PicturesNeedTheInstalledKernelsAndTheImageModule) {
   const std::string render = "render --model torus --size 48x32 --set fur.layers=4 --set fur.texture=32 ";
   installed(render + "-o a.exr");
-  EXPECT_GT(fs::file_size(folder->path() / "a.exr"), 100u);
+  EXPECT_GT(fs::file_size(folder->path / "a.exr"), 100u);
   const std::string kernel = "inst/share/pelage/kernels/rasterize/tile/tile.cl", text = folder->read(kernel);
   ASSERT_FALSE(text.empty());
   folder->write(kernel, "this is no kernel\n");
   installed(render + "--mapping tile -o b.png", 1);
   folder->write(kernel, text);
-  fs::rename(folder->path() / "inst/share/pelage/shaders", folder->path() / "inst/share/pelage/away");
+  fs::rename(folder->path / "inst/share/pelage/shaders", folder->path / "inst/share/pelage/away");
   expect_has(output_of(*folder, "inst/bin/pelage " + render + "--pipeline opengl -o c.png || true"),
              "inst/share/pelage");
-  fs::rename(folder->path() / "inst/share/pelage/away", folder->path() / "inst/share/pelage/shaders");
+  fs::rename(folder->path / "inst/share/pelage/away", folder->path / "inst/share/pelage/shaders");
 }
 
 TEST_F(Install, ReportsDrawWithTheInstalledPrograms) {
   const std::string recorded = "'" PELAGE_SOURCE_DIR "/results/silva2010-table1'";
   output_of(*folder, "for f in inst/share/pelage/plots/*.py; do echo '# installed' >> $f; done");
   installed("report " + recorded + " -o page");
-  EXPECT_TRUE(fs::exists(folder->path() / "page/index.html"));
+  EXPECT_TRUE(fs::exists(folder->path / "page/index.html"));
   expect_has(output_of(*folder, "grep -rl '# installed' page"), ".py");
 }
 
@@ -72,7 +67,7 @@ TEST_F(Install, TheManualAndTheDocumentsAreThere) {
   for (const char* file :
        {"share/man/man1/pelage.1", "share/doc/pelage/README.md", "share/doc/pelage/docs/results.md",
         "lib/python3/dist-packages/pelage/__init__.py", "share/pelage/examples/wet.toml"})
-    EXPECT_TRUE(fs::exists(folder->path() / "inst" / file)) << file;
+    EXPECT_TRUE(fs::exists(folder->path / "inst" / file)) << file;
 }
 
 /// Returns the words that bash completion offers for the last word of the command line `line`.
@@ -95,7 +90,7 @@ TEST_F(Install, BashCompletesCommandsOptionsAndValues) {
   expect_has(completed("pelage mesh --components "), " all largest ");
   expect_has(completed("pelage render --set fur.le"), " fur.length= ");
   expect_has(completed("pelage render --model bu"), " bunny ");
-  EXPECT_FALSE(has(completed("pelage list --"), "--resume"));
+  expect_lacks(completed("pelage list --"), "--resume");
   EXPECT_EQ(completed("pelage render -o pict"), "  ");  // no words; bash then completes file names
 }
 
@@ -105,9 +100,8 @@ TEST(Package, HoldsARunningProgramAndItsDependencies) {
   const Folder folder;
   output_of(folder, "cpack -G DEB --config '" + build + "/CPackConfig.cmake' -B .\nmv *.deb pelage.deb");
   const std::string fields = output_of(folder, "dpkg-deb -f pelage.deb");
-  for (const char* field :
-       {"Package: pelage", "libopenimageio", "ocl-icd-libopencl1", "libc6", "Section: science"})
-    expect_has(fields, field);
+  expect_has(fields,
+             {"Package: pelage", "libopenimageio", "ocl-icd-libopencl1", "libc6", "Section: science"});
   output_of(folder,
             "dpkg-deb -x pelage.deb .\ntest -f usr/lib/pelage/pelage_image_module.so || test -f "
             "usr/lib/*/pelage/pelage_image_module.so");

@@ -7,52 +7,42 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string render =
     "render -o a.png --device pocl --model torus-24x12 --size 16x16 --set fur.layers=2";
 
+struct KernelCache : InFolder {};
+
 // If a program file in the cache (.bc) is empty, PoCL reports a missing kernel instead of a damaged file.
-TEST(KernelCache, DamagedAndEmptyFilesLeadToTheAdviceToDeleteTheFolder) {
-  for (const auto& [ending, text, least] : {std::tuple{".so", "damaged", 4}, {"/program.bc", "", 1}}) {
-    const Folder folder;
-    const fs::path cache = folder.path() / "kept";
+TEST_F(KernelCache, DamagedAndEmptyFilesLeadToTheAdviceToDeleteTheFolder) {
+  for (const auto& [ending, text, least] : {std::tuple{".so", "damaged", 4u}, {"/program.bc", "", 1u}}) {
+    const fs::path cache = folder.path / "kept";
     const std::string kept = "POCL_CACHE_DIR='" + cache.string() + "'";
-    done(folder, render, kept);
-    int changed = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(cache))
-      if (entry.path().string().ends_with(ending)) {
-        std::ofstream(entry.path()) << text;
-        ++changed;
-      }
-    ASSERT_GE(changed, least);
-    const Outcome outcome = pelage(folder, render, kept);
+    done(render, kept);
+    const std::vector<fs::path> files = test::files_below(cache, ending);
+    ASSERT_GE(files.size(), least);
+    for (const fs::path& file : files) test::write_text(file, text);
+    const Outcome outcome = pelage(render, kept);
     EXPECT_NE(outcome.code, 0);
     expect_has(outcome.err, "delete this folder and run the command again: " + cache.string());
-    EXPECT_FALSE(has(outcome.err, "please report")) << outcome.err;
+    expect_lacks(outcome.err, "please report");
     fs::remove_all(cache);
-    done(folder, render, kept);
+    done(render, kept);
   }
 }
 
 // PoCL aborts if POCL_CACHE_DIR is set but empty.
-TEST(KernelCache, AnEmptyVariableIsNoFolder) {
-  const Folder folder;
-  done(folder, "devices", "POCL_CACHE_DIR= XDG_CACHE_HOME='" + folder.path().string() + "'");
+TEST_F(KernelCache, AnEmptyVariableIsNoFolder) {
+  done("devices", "POCL_CACHE_DIR= XDG_CACHE_HOME='" + folder.path.string() + "'");
 }
 
-TEST(KernelCache, AFullDiskIsNamedAndReplacedByATemporaryFolder) {
-  const Folder folder;
-  fs::create_directory(folder.path() / "full");
+TEST_F(KernelCache, AFullDiskIsNamedAndReplacedByATemporaryFolder) {
+  fs::create_directory(folder.path / "full");
   const std::string inside = "mount -t tmpfs -o size=64k tmpfs full";
-  if (std::system(("cd '" + folder.path().string() + "' && unshare -Urm sh -c '" + inside + "' 2>/dev/null")
-                      .c_str()) != 0)
+  if (shell("unshare -Urm sh -c '" + inside + "'") != 0)
     GTEST_SKIP() << "this process may not mount a small file system";
   folder.write("script.sh",
-               inside + "\nPOCL_CACHE_DIR=full/kept ASAN_OPTIONS=detect_leaks=0 '" PELAGE_BINARY "' " +
-                   render + " 2>errors\n");
-  EXPECT_EQ(std::system(("cd '" + folder.path().string() + "' && unshare -Urm sh script.sh").c_str()), 0)
-      << folder.read("errors");
+               inside + "\nPOCL_CACHE_DIR=full/kept '" PELAGE_BINARY "' " + render + " 2>errors\n");
+  EXPECT_EQ(shell("unshare -Urm sh script.sh"), 0) << folder.read("errors");
   expect_has(folder.read("errors"), "KiB of free disk space; PoCL keeps compiled kernels in a temporary");
 }
 

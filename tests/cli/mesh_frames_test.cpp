@@ -33,7 +33,6 @@ std::string body(double lift) {
   return text + top + "\n" + bottom + "\n";
 }
 
-/// Writes six frames, and a scene of strands that shows them.
 void write_frames(const Folder& folder) {
   for (int frame = 0; frame < 6; ++frame)
     folder.write(fmt::format("body-{}.obj", frame + 7), body(0.06 * frame));
@@ -45,11 +44,12 @@ void write_frames(const Folder& folder) {
 
 Picture drawn(const Folder& folder, const std::string& options) {
   done(folder, "render scene.toml -o a.exr " + options);
-  return read_picture(folder.path() / "a.exr");
+  return read_picture(folder.path / "a.exr");
 }
 
-TEST(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
-  const Folder folder;
+struct MeshFrames : InFolder {};
+
+TEST_F(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
   write_frames(folder);
   const Picture rest = drawn(folder, "--pipeline strands --set mesh.frames=1 --set dynamics.time=0.08");
   // After 0.08 s, the skin still moves; after 0.5 s, it has had the shape of the last frame for some time.
@@ -66,8 +66,7 @@ TEST(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
   EXPECT_LT(compare(held, repeated).psnr, 35);
 }
 
-TEST(MeshFrames, TheFirstPictureShowsTheFirstFile) {
-  const Folder folder;
+TEST_F(MeshFrames, TheFirstPictureShowsTheFirstFile) {
   write_frames(folder);
   const std::string fixed =
       "--pipeline strands --set strands.shadow=none --set camera.framed=false --set camera.eye=[2,2,4] --set "
@@ -83,21 +82,19 @@ TEST(MeshFrames, TheFirstPictureShowsTheFirstFile) {
       35);
 }
 
-TEST(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
-  const Folder folder;
+TEST_F(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
   write_frames(folder);
   folder.write("mine.toml",
                "name = \"mine\"\n[axes]\nmodel = [\"body-7.obj\"]\nvariant = [\"strands\"]\n[scene]\nfile = "
                "\"scene.toml\"\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
                "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
-  done(folder, "run mine.toml -o rows");
-  done(folder, "run mine.toml --resume rows");
+  done("run mine.toml -o rows");
+  done("run mine.toml --resume rows");
   folder.write("body-12.obj", body(0.5));
-  expect_refused(pelage(folder, "run mine.toml --resume rows"), "mesh", true);
+  expect_refused(pelage("run mine.toml --resume rows"), "mesh", true);
 }
 
-TEST(MeshFrames, ContradictionsAreRefused) {
-  const Folder folder;
+TEST_F(MeshFrames, ContradictionsAreRefused) {
   write_frames(folder);
   const std::pair<const char*, const char*> refused[] = {
       {"--set dynamics.topology=silva", "only pipelines that draw strands"},
@@ -107,11 +104,10 @@ TEST(MeshFrames, ContradictionsAreRefused) {
       {"--pipeline strands --set strands.chain.collision=body", "does not deform"},
       {"--pipeline strands-raycast", "at rest"}};
   for (const auto& [options, message] : refused)
-    expect_refused(pelage(folder, std::string("render scene.toml -o a.png ") + options), message, true);
+    expect_refused(pelage(std::string("render scene.toml -o a.png ") + options), message, true);
 }
 
-TEST(MeshFrames, AnAnimationHasThePicturesOfRender) {
-  const Folder folder;
+TEST_F(MeshFrames, AnAnimationHasThePicturesOfRender) {
   write_frames(folder);
   // Frames of the mesh last 1/60 s, so the animation skips some frames of the mesh.
   EXPECT_EQ(expect_rendered_frames(folder, "scene.toml --pipeline strands --size 64x48", 0, 40, 5), 5u);

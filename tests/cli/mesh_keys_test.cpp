@@ -12,70 +12,48 @@ const char* const overlapping =
 const std::string small_picture =
     "render --pipeline reference --set fur.layers=4 --set fur.texture=64 --size 64x48 ";
 
-TEST(MeshKeys, AWarningOfOverlapReachesRender) {
-  const Folder folder;
+struct MeshKeys : InFolder {};
+
+TEST_F(MeshKeys, AWarningOfOverlapReachesRender) {
   folder.write("t.obj", overlapping);
   const std::string render = small_picture + "-o a.png --model t.obj ";
-  expect_has(done(folder, render + "--set fur.uv=file").err, "t: UV map: 100.00% of the map overlaps");
-  const Outcome computed = done(folder, render);
-  EXPECT_FALSE(has(computed.err, "overlaps")) << computed.err;
-  expect_has(done(folder, "mesh t.obj --keep-uv").err, "t: UV map: 100.00% of the map overlaps");
+  expect_has(done(render + "--set fur.uv=file").err, "t: UV map: 100.00% of the map overlaps");
+  expect_lacks(done(render).err, "overlaps");
+  expect_has(done("mesh t.obj --keep-uv").err, "t: UV map: 100.00% of the map overlaps");
 }
 
-TEST(MeshKeys, AWarningOfOverlapReachesTheRows) {
-  const Folder folder;
+TEST_F(MeshKeys, AWarningOfOverlapReachesTheRows) {
   folder.write("t.obj", overlapping);
   folder.write("own.toml",
                experiment("model = ['torus']\nlayers = [4]\nsize = ['64x48']", "fur.uv = 'file'"));
-  pelage(folder, "run own.toml --model t.obj -o out");
+  pelage("run own.toml --model t.obj -o out");
   expect_has(folder.read(journal_in(folder, "out")),
              "\"mesh_warnings\":[\"UV map: 100.00% of the map overlaps");
 }
 
-TEST(MeshKeys, AMissingMapIsOneErrorAndExitCode2) {
-  const Folder folder;
-  folder.write("t.off", "OFF\n4 4 0\n1 1 1\n-1 -1 1\n-1 1 -1\n1 -1 -1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-  for (const std::string& arguments :
-       {small_picture + "-o a.png --model t.off --set fur.uv=file", std::string("mesh t.off --keep-uv")})
-    expect_refused(pelage(folder, arguments), "t.off: has no UV map of its own", true);
-}
-
-TEST(MeshKeys, ARotationChangesThePicture) {
-  const Folder folder;
+TEST_F(MeshKeys, AFileWhoseZAxisPointsUpIsTurned) {
   const std::string render = small_picture + "--model banisch-dog ";
-  done(folder, render + "-o a.png");
-  done(folder, render + "-o b.png --set 'mesh.rotate=[0, 90, 0]'");
-  EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
-  expect_has(done(folder, "mesh banisch-dog --rotate -90,0,0").out,
-             "turned by -90, 0 and 0 degrees about x, y and z");
-}
-
-TEST(MeshKeys, AFileWhoseZAxisPointsUpIsTurned) {
-  const Folder folder;
-  const std::string render = small_picture + "--model banisch-dog ";
-  done(folder, render + "-o y.png");
-  done(folder, render + "-o z.png --up z");
-  done(folder, render + "-o key.png --set mesh.up=z");
-  done(folder, render + "-o turned.png --set 'mesh.rotate=[-90, 0, 0]'");
+  done(render + "-o y.png");
+  done(render + "-o z.png --up z");
+  done(render + "-o key.png --set mesh.up=z");
+  done(render + "-o turned.png --set 'mesh.rotate=[-90, 0, 0]'");
   EXPECT_NE(folder.read("y.png"), folder.read("z.png"));
   EXPECT_EQ(folder.read("key.png"), folder.read("z.png"));
   EXPECT_EQ(folder.read("turned.png"), folder.read("z.png"));
-  expect_has(done(folder, "mesh banisch-dog --up z --rotate 10,0,0").out,
+  expect_has(done("mesh banisch-dog --up z --rotate 10,0,0").out,
              "turned by -80, 0 and 0 degrees about x, y and z");
-  EXPECT_EQ(pelage(folder, "mesh banisch-dog --up x").code, 2);
-  EXPECT_EQ(pelage(folder, "mesh banisch-dog --up z --rotate -361,0,0").code, 2);
-  done(folder, "mesh banisch-dog --up z --rotate -360,0,0");
+  EXPECT_EQ(pelage("mesh banisch-dog --up x").code, 2);
+  EXPECT_EQ(pelage("mesh banisch-dog --up z --rotate -361,0,0").code, 2);
+  done("mesh banisch-dog --up z --rotate -360,0,0");
 }
 
-TEST(MeshKeys, RepairsArePrintedOnceAndByTheCommandMesh) {
-  const Folder folder;
+TEST_F(MeshKeys, RepairsArePrintedOnceAndByTheCommandMesh) {
   // The comment in the OBJ file makes its content unique, so that the mesh is not yet in the mesh cache.
-  folder.write("t.obj", std::string(overlapping) + "f 1/1 3/2 2/3\n# " + folder.path().string() + "\n");
+  folder.write("t.obj", std::string(overlapping) + "f 1/1 3/2 2/3\n# " + folder.path.string() + "\n");
   const std::string render = small_picture + "-o a.png --model t.obj ";
-  expect_has(pelage(folder, render).err, "dropped 1 degenerate or doubled face");
-  const Outcome second = done(folder, render);
-  EXPECT_FALSE(has(second.err, "dropped")) << second.err;
-  expect_has(pelage(folder, "mesh t.obj").out, "dropped 1 degenerate or doubled face");
+  expect_has(pelage(render).err, "dropped 1 degenerate or doubled face");
+  expect_lacks(done(render).err, "dropped");
+  expect_has(pelage("mesh t.obj").out, "dropped 1 degenerate or doubled face");
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 namespace pelage::cli {
 
 using test::expect_has;
+using test::expect_lacks;
+using test::Folder;
 using test::has;
 
 struct Outcome {
@@ -20,37 +22,24 @@ struct Outcome {
   std::string arguments;  ///< of the command, for the messages of failed tests
 };
 
-/// A new temporary folder. The destructor deletes it.
-class Folder {
- public:
-  const std::filesystem::path& path() const { return folder_.path; }
-  void write(const std::string& name, const std::string& text) const {
-    test::write_text(path() / name, text);
-  }
-  std::string read(const std::string& name) const { return test::text_of(path() / name); }
-  /// Replaces the first `from` in a file by `to`. The test ends if the file does not contain `from`.
-  void edit(const std::string& name, const std::string& from, const std::string& to) const {
-    std::string text = read(name);
-    const std::size_t place = text.find(from);
-    if (place == std::string::npos) throw std::runtime_error(name + " does not contain " + from);
-    write(name, text.replace(place, from.size(), to));
-  }
-
- private:
-  test::Folder folder_;
-};
+/// Runs a shell command in the folder, whose files `stdout` and `stderr` get its output. Returns its exit
+/// code, which is 128 + n if the signal n ended it.
+inline int shell(const Folder& folder, const std::string& command) {
+  // The option detect_leaks=0 switches off the leak check, because the OpenCL libraries leak memory.
+  // AddressSanitizer still reports other memory errors.
+  const int status =
+      std::system(fmt::format("cd '{}' && export ASAN_OPTIONS=detect_leaks=0 && {{\n{}\n}} >stdout 2>stderr",
+                              folder.path.string(), command)
+                      .c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
 
 /// Runs pelage inside the folder for at most 300 s. `arguments` is a text that the shell splits into
 /// arguments. `environment` contains assignments such as "A=1 B=2".
 inline Outcome pelage(const Folder& folder, const std::string& arguments, const std::string& environment = "",
                       const std::string& binary = PELAGE_BINARY) {
-  // The option detect_leaks=0 switches off the leak check, because the OpenCL libraries leak memory.
-  // AddressSanitizer still reports other memory errors.
-  const std::string command = "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
-                              environment + " timeout 300 '" + binary + "' >stdout 2>stderr " + arguments;
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder.read("stdout"),
-          folder.read("stderr"), arguments.substr(0, 200)};
+  const int code = shell(folder, environment + " timeout 300 '" + binary + "' " + arguments);
+  return {code, folder.read("stdout"), folder.read("stderr"), arguments.substr(0, 200)};
 }
 
 /// Runs pelage, which must succeed. Otherwise the test ends, because this function throws the messages.
@@ -61,6 +50,18 @@ inline Outcome done(const Folder& folder, const std::string& arguments, const st
         fmt::format("{}: code {}\n{}{}", outcome.arguments, outcome.code, outcome.out, outcome.err));
   return outcome;
 }
+
+/// A test that runs pelage in a temporary folder of its own.
+struct InFolder : test::InFolder {
+  int shell(const std::string& command) const { return cli::shell(folder, command); }
+  Outcome pelage(const std::string& arguments, const std::string& environment = "",
+                 const std::string& binary = PELAGE_BINARY) const {
+    return cli::pelage(folder, arguments, environment, binary);
+  }
+  Outcome done(const std::string& arguments, const std::string& environment = "") const {
+    return cli::done(folder, arguments, environment);
+  }
+};
 
 /// Expects that pelage refused its input: it ended with `code`, and its only message, the last line on
 /// stderr, contains `text`. If `steps` is true, warnings and lines about the preparation of a mesh may
@@ -92,11 +93,8 @@ inline std::string of_torus(const std::string& axes, const std::string& scene = 
   return experiment("model = [\"torus-24x12\"]\n" + axes + "\nsize = [\"320x240\"]", scene);
 }
 
-/// Returns the name of a journal below a folder of results.
 inline std::string journal_in(const Folder& folder, const std::string& results) {
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / results))
-    if (entry.path().extension() == ".jsonl") return entry.path().lexically_relative(folder.path()).string();
-  throw std::runtime_error(results + ": no journal");
+  return test::files_below(folder.path / results, ".jsonl").at(0).lexically_relative(folder.path).string();
 }
 
 }  // namespace pelage::cli

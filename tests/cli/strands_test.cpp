@@ -8,21 +8,20 @@
 namespace pelage::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* few_strands =
     "--model torus --size 240x180 --set dynamics.topology=chains --set dynamics.gravity=[0,-4,0] --set "
     "'strands.layer=[{count=5000,length=0.15}]' ";
 
-TEST(Strands, TheDeviceAndTheReferenceDrawTheSamePicture) {
-  const Folder folder;
+struct Strands : InFolder {};
+
+TEST_F(Strands, TheDeviceAndTheReferenceDrawTheSamePicture) {
   for (const std::string pipeline : {"strands", "strands-reference"}) {
-    done(folder, fmt::format("render {} --pipeline {} -o {}.exr --dump {}.h5", few_strands, pipeline,
-                             pipeline, pipeline));
-    EXPECT_TRUE(fs::exists(folder.path() / (pipeline + ".h5")));
+    done(fmt::format("render {} --pipeline {} -o {}.exr --dump {}.h5", few_strands, pipeline, pipeline,
+                     pipeline));
+    EXPECT_TRUE(fs::exists(folder.path / (pipeline + ".h5")));
   }
-  const Agreement found = compare(read_picture(folder.path() / "strands.exr"),
-                                  read_picture(folder.path() / "strands-reference.exr"));
+  const Agreement found =
+      compare(read_picture(folder.path / "strands.exr"), read_picture(folder.path / "strands-reference.exr"));
   EXPECT_GT(found.pixels, 5000u);
   EXPECT_TRUE(within(found)) << found.psnr << " dB, " << found.flips << " flips";
 }
@@ -46,40 +45,36 @@ TEST(ScenePipeline, DrawsTheSceneAndWarnsOfUnusedKeys) {
   EXPECT_NE(folder.read("named.png"), folder.read("other.png"));
   expect_refused(pelage(folder, "render furry.toml -o strict.png --strict --set curl.radius=0.1"),
                  "strands-reference does not use these keys of the scene: curl.radius");
-  EXPECT_FALSE(fs::exists(folder.path() / "strict.png"));
+  EXPECT_FALSE(fs::exists(folder.path / "strict.png"));
   done(folder, "render furry.toml -o strict.png --strict");
   done(folder, "animate furry.toml -o frames --to 0.05 --fps 20");
   expect_has(folder.read("frames/animation.txt"), "strands-reference");
 }
 
-TEST(Strands, ChainsAreNoMotionOfShells) {
-  const Folder folder;
+TEST_F(Strands, ChainsAreNoMotionOfShells) {
   for (const std::string pipeline : {"shells", "reference"})
     expect_refused(
-        pelage(folder, "render --model torus --set dynamics.topology=chains -o a.png --pipeline " + pipeline),
+        pelage("render --model torus --set dynamics.topology=chains -o a.png --pipeline " + pipeline),
         "dynamics.topology");
 }
 
-TEST(Strands, AnExperimentTimesThemAlone) {
-  const Folder folder;
+TEST_F(Strands, AnExperimentTimesThemAlone) {
   folder.write("mine.toml",
                "name = \"mine\"\n[axes]\nmodel = [\"torus\"]\ncount = [\"few\", \"more\"]\nvariant = "
                "[\"strands\"]\n[scene]\nimage.width = 320\nimage.height = 240\ndynamics.topology = "
                "\"chains\"\n[count.few]\nstrands.layer = [{ count = 3000 }]\n[count.more]\nstrands.layer = "
                "[{ count = 9000 }]\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
                "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
-  done(folder, "run mine.toml -o rows");
-  const Outcome csv = done(folder, "export rows --csv -");
-  for (const char* phase : {"simulate", "keys", "sort", "bin", "raster", "frame"}) expect_has(csv.out, phase);
-  done(folder, "report rows -o report");
+  done("run mine.toml -o rows");
+  expect_has(done("export rows --csv -").out, {"simulate", "keys", "sort", "bin", "raster", "frame"});
+  done("report rows -o report");
 }
 
 // 100 frames have the same bits for three numbers of chunks of the sorted list and for one and two threads.
-TEST(Strands, FramesHaveTheSameBitsForAllChunksAndThreads) {
-  const Folder folder;
+TEST_F(Strands, FramesHaveTheSameBitsForAllChunksAndThreads) {
   std::set<std::string> hashes;
   for (const char* threads : {"POCL_MAX_PTHREAD_COUNT=1", "POCL_MAX_PTHREAD_COUNT=2"}) {
-    const Outcome outcome = done(folder, "check --hashes --filter strands", threads);
+    const Outcome outcome = done("check --hashes --filter strands", threads);
     std::istringstream lines(outcome.out);
     int count = 0;
     for (std::string line; std::getline(lines, line); ++count)

@@ -15,15 +15,16 @@ std::string row_of(const std::string& text, const std::string& name) {
   return std::regex_search(text, found, row) ? found[2].str() + " " + found[3].str() : "";
 }
 
-TEST(TopologyCommand, CountsThePapersModels) {
-  const Folder folder;
-  const Outcome grass = done(folder, "topology banisch-grass");
+struct TopologyCommand : InFolder {};
+
+TEST_F(TopologyCommand, CountsThePapersModels) {
+  const Outcome grass = done("topology banisch-grass");
   expect_has(grass.out, "13 surface points");
   EXPECT_EQ(row_of(grass.out, "sticks"), "26 13");
   EXPECT_EQ(row_of(grass.out, "prisms"), "26 41");
   EXPECT_EQ(row_of(grass.out, "separable-sticks"), "96 48");
   EXPECT_EQ(row_of(grass.out, "separable-prisms"), "96 96");
-  const Outcome elephant = done(folder, "topology banisch-elephant");
+  const Outcome elephant = done("topology banisch-elephant");
   EXPECT_EQ(row_of(elephant.out, "separable-prisms"), "6888 6888");
   EXPECT_EQ(row_of(elephant.out, "separable-sticks"), "6888 3444");
   EXPECT_NE(row_of(elephant.out, "sticks on vertex copies"), "");
@@ -34,28 +35,21 @@ TEST(TopologyCommand, CountsThePapersModels) {
   };
   EXPECT_TRUE(ends_with("sticks", "1247 / 623")) << elephant.out;
   EXPECT_TRUE(ends_with("separable-prisms", "6888 / 6888")) << elephant.out;
-  EXPECT_EQ(grass.out.find("the paper"), std::string::npos);
-  EXPECT_EQ(pelage(folder, "topology banisch-elephant --faces 1146").out.find("1247"), std::string::npos);
-}
-
-std::size_t count_of(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
-  return count;
+  expect_lacks(grass.out, "the paper");
+  expect_lacks(pelage("topology banisch-elephant --faces 1146").out, "1247");
 }
 
 // The drawing has one panel for each of the four topologies. The test counts the SVG elements. Each panel
 // must contain every triangle of the mesh once, and every mass and spring of its topology once.
-TEST(TopologyCommand, DrawsWhatItCounts) {
-  const Folder folder;
-  done(folder, "topology banisch-grass --draw grass.svg --length 0.4");
+TEST_F(TopologyCommand, DrawsWhatItCounts) {
+  done("topology banisch-grass --draw grass.svg --length 0.4");
   const std::string svg = folder.read("grass.svg");
   EXPECT_TRUE(svg.starts_with("<svg ")) << svg.substr(0, 40);
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
-  EXPECT_EQ(count_of(svg, "class=\"skin\""), 4 * 16u);
-  EXPECT_EQ(count_of(svg, "class=\"stick\""), 13 + 13 + 48 + 48u);
-  EXPECT_EQ(count_of(svg, "class=\"edge\""), 28 + 48u);
-  EXPECT_EQ(count_of(svg, "<circle"), 26 + 26 + 96 + 96u);
+  EXPECT_EQ(test::count_of(svg, "class=\"skin\""), 4 * 16u);
+  EXPECT_EQ(test::count_of(svg, "class=\"stick\""), 13 + 13 + 48 + 48u);
+  EXPECT_EQ(test::count_of(svg, "class=\"edge\""), 28 + 48u);
+  EXPECT_EQ(test::count_of(svg, "<circle"), 26 + 26 + 96 + 96u);
   expect_has(svg, "separable-prisms: 96 masses, 96 springs");
 }
 

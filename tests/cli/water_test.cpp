@@ -1,6 +1,4 @@
 // Tests pelage water, and a scene whose water changes over time in the pipelines of pelage render.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <sstream>
 #include <vector>
@@ -12,7 +10,6 @@ namespace {
 
 using Table = std::vector<std::vector<double>>;
 
-/// Returns the numbers of a CSV table without its heading.
 Table numbers(const std::string& text) {
   Table table;
   std::istringstream lines(text);
@@ -28,9 +25,10 @@ Table numbers(const std::string& text) {
   return table;
 }
 
-TEST(WaterCommand, WritesTheAccountOfTheExample) {
-  const Folder folder;
-  const Outcome printed = done(folder, "water rain --model torus --to 10 --fps 4");
+struct WaterCommand : InFolder {};
+
+TEST_F(WaterCommand, WritesTheAccountOfTheExample) {
+  const Outcome printed = done("water rain --model torus --to 10 --fps 4");
   const Table table = numbers(printed.out);
   ASSERT_EQ(table.size(), 41u);
   double most = 0;
@@ -44,27 +42,23 @@ TEST(WaterCommand, WritesTheAccountOfTheExample) {
   EXPECT_EQ(table.front()[1], 0) << "the example begins dry";
   EXPECT_EQ(table.back()[1], 0) << "and ends dry";
   EXPECT_EQ(table.back()[4], 0);
-  const Outcome written = done(folder, "water rain --model torus --to 10 --fps 4 --csv water.csv");
+  const Outcome written = done("water rain --model torus --to 10 --fps 4 --csv water.csv");
   EXPECT_EQ(written.out, "");
   EXPECT_EQ(folder.read("water.csv"), printed.out);
 }
 
-TEST(WaterCommand, DrawsTheAccount) {
-  const Folder folder;
-  done(folder, "water rain --model torus --to 10 --fps 4 --csv account.svg");
+TEST_F(WaterCommand, DrawsTheAccount) {
+  done("water rain --model torus --to 10 --fps 4 --csv account.svg");
   EXPECT_EQ(numbers(folder.read("account.csv")).size(), 41u);
-  const std::string svg = folder.read("account.svg");
-  for (const char* part : {"unsoaked", "held", "evaporated", "dripped", "fell", "time, s"})
-    expect_has(svg, part);
+  expect_has(folder.read("account.svg"), {"unsoaked", "held", "evaporated", "dripped", "fell", "time, s"});
   EXPECT_EQ(folder.read("account.pdf").substr(0, 5), "%PDF-");
 }
 
-TEST(WaterCommand, UsesTheKeyframesOfItsTimes) {
-  const Folder folder;
+TEST_F(WaterCommand, UsesTheKeyframesOfItsTimes) {
   folder.write("k.toml",
                "model = 'torus'\n[wetness]\nrandom = 50\nsoak = 1.0\n[keyframes]\n'wetness.radius' = [[0, "
                "0.01], [1, 0.02]]\n");
-  const Table table = numbers(done(folder, "water k.toml --to 1 --fps 1").out);
+  const Table table = numbers(done("water k.toml --to 1 --fps 1").out);
   ASSERT_EQ(table.size(), 2u);
   EXPECT_GT(table[1][2], 2 * table[0][2]) << "the discs are larger";
 }

@@ -1,6 +1,5 @@
-// Tests check_against_reference(), which compares windows (squares of 16 x 16 pixels) of a picture with the
-// reference. If the windows differ too much from the reference, check_against_reference() compares the whole
-// picture.
+// Tests check_against_reference(), which compares the whole picture if windows of 16 x 16 pixels differ too
+// much from the reference.
 #include <gtest/gtest.h>
 
 #include "harness/compare/metrics.hpp"
@@ -52,7 +51,6 @@ Picture spoilt(int count, float by) {
   return p;
 }
 
-/// Returns the names of the metrics of all checks, in order.
 std::string names_of(const WindowCheck& check) {
   std::string names;
   for (const Check& c : check.checks) names += c.metric + "; ";

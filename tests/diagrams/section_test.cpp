@@ -14,7 +14,6 @@ namespace {
 
 using diagrams::Section;
 
-/// Returns the value of a column in a row of the section.
 double value(const Section& section, const std::vector<double>& row, const std::string& column) {
   const auto at = std::find(section.columns.begin(), section.columns.end(), column);
   EXPECT_NE(at, section.columns.end()) << column;

@@ -1,16 +1,14 @@
 // Tests the exact distances from a closed mesh, and the coarse distance field of a body.
 #include "harness/distance/field.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
 #include "harness/prepare/random.hpp"
 #include "tests/strands/support/meshes.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -100,13 +98,12 @@ TEST(DistanceField, IsTheDistanceOfASphereWithinTheInterpolation) {
 }
 
 TEST(DistanceField, ComesFromTheCacheWithTheSameBits) {
-  const auto folder = std::filesystem::temp_directory_path() / "pelage-field-test";
-  std::filesystem::remove_all(folder);
-  ::setenv("XDG_CACHE_HOME", folder.c_str(), 1);
+  const pelage::test::Folder folder;
+  ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   auto mesh = sphere_mesh(12);
   mesh->hash = "sphere-of-the-test";
   const auto first = kept_distance_field(mesh, 12);
-  EXPECT_FALSE(std::filesystem::is_empty(folder / "pelage/fields"));
+  EXPECT_FALSE(fs::is_empty(folder.path / "pelage/fields"));
   mesh->triangle.resize(100);  // the cache is read, so nothing notices
   const auto second = kept_distance_field(mesh, 12);
   EXPECT_EQ(first->distance, second->distance);
@@ -114,7 +111,6 @@ TEST(DistanceField, ComesFromTheCacheWithTheSameBits) {
   EXPECT_EQ(first->origin, second->origin);
   EXPECT_THROW(kept_distance_field(mesh, 13), InputError);
   ::unsetenv("XDG_CACHE_HOME");
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "harness/dump/dump.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <hdf5.h>
 
 #include <algorithm>
@@ -153,15 +152,6 @@ TEST(Document, NamesOnlyDatasetsOfItsTable) {
 // Tests that the dump of a frame whose water changes over time holds the arrival and the present wetness of
 // every droplet (docs/shells.md, section 10).
 
-std::vector<float> floats(hid_t file, const char* name) {
-  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
-  std::vector<float> values(std::size_t(H5Sget_simple_extent_npoints(space)));
-  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-  H5Sclose(space);
-  H5Dclose(set);
-  return values;
-}
-
 TEST(WaterDump, HoldsTheWetnessOfThePicture) {
   Scene scene = synthetic::lively_scene();
   scene.fur.layers = 2;
@@ -172,11 +162,9 @@ TEST(WaterDump, HoldsTheWetnessOfThePicture) {
   constexpr int frames = 4;  // the picture at 0.05 s, with the default step and substeps
   std::vector<float> arrival, rho, soaked;
   dumped(input, frames, [&](const std::filesystem::path& path) {
-    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-    arrival = floats(file, "droplet/arrival");
-    rho = floats(file, "droplet/rho");
-    soaked = floats(file, "droplet/wetness");
-    H5Fclose(file);
+    arrival = floats_of(path, "droplet/arrival");
+    rho = floats_of(path, "droplet/rho");
+    soaked = floats_of(path, "droplet/wetness");
   });
   ASSERT_EQ(rho.size(), 8u);
   const double time = picture_time(scene.dynamics, frames);

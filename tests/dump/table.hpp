@@ -2,12 +2,9 @@
 // document.
 #pragma once
 #include <fmt/ranges.h>
-#include <gtest/gtest.h>
 #include <hdf5.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -16,7 +13,6 @@
 
 namespace pelage {
 
-/// A dataset of a dump.
 struct Dataset {
   std::string type, units, description;
   std::vector<std::string> shape;  ///< the sizes of its dimensions
@@ -60,6 +56,18 @@ inline Datasets datasets_of(const std::filesystem::path& path) {
     EXPECT_NE(attribute_of(file, name), "") << name;
   H5Fclose(file);
   return found;
+}
+
+/// Returns the values of a dataset of the dump `path`, converted to floats.
+inline std::vector<float> floats_of(const std::filesystem::path& path, const char* name) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  std::vector<float> values(std::size_t(H5Sget_simple_extent_npoints(space)));
+  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Fclose(file);
+  return values;
 }
 
 /// Writes a dump of the frame, calls `use` with its path, and removes it. Returns the result of `use`.
@@ -131,14 +139,13 @@ inline std::string table_of(const std::vector<Dumped>& dumps) {
 /// environment variable PELAGE_WRITE_DUMP_TABLES, writes the table into the document instead.
 inline void expect_in_document(const std::string& name, const std::string& table) {
   const std::filesystem::path path = std::filesystem::path(PELAGE_SOURCE_DIR) / "docs/dump.md";
-  std::ifstream file(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = test::text_of(path);
   const std::string mark = "<!-- " + name + " begins -->\n";
   const auto begin = text.find(mark), end = text.find("<!-- " + name + " ends -->");
   ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << "docs/dump.md has no mark " << mark;
   const auto from = begin + mark.size();
   if (std::getenv("PELAGE_WRITE_DUMP_TABLES"))
-    std::ofstream(path) << text.substr(0, from) << table << text.substr(end);
+    test::write_text(path, text.substr(0, from) + table + text.substr(end));
   else
     EXPECT_EQ(text.substr(from, end - from), table)
         << "write it: PELAGE_WRITE_DUMP_TABLES=1 test_dump --gtest_filter='*DumpTable*'";

@@ -1,19 +1,14 @@
 // Tests experiments whose table [scene] names a scene file: file = "my.toml".
-#include <gtest/gtest.h>
-
-#include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Writes an experiment file into the folder e/. The experiment uses the scene file s/my.toml.
-struct SceneFile : ::testing::Test {
+struct SceneFile : test::InFolder {
   void SetUp() override {
     fs::create_directories(folder.path / "e");
     fs::create_directories(folder.path / "s");
@@ -21,20 +16,18 @@ struct SceneFile : ::testing::Test {
         "model = \"torus\"\n[fur]\nlength = 0.05\nlayers = 8\n[coat]\nimage = \"coat.png\"\n"
         "[[shading.light]]\ndirection = [0, 1, 0]\n");
   }
-  void scene(const std::string& text) const { test::write_text(folder.path / "s/my.toml", text); }
+  void scene(const std::string& text) const { folder.write("s/my.toml", text); }
   Experiment read(const std::string& keys, const std::string& file = "../s/my.toml") const {
-    test::write_text(folder.path / "e/e.toml",
-                     "name = \"e\"\n[axes]\ncurl.turns = [1, 2]\n[scene]\nfile = \"" + file + "\"\n" + keys +
-                         "\n[preset.quick]\n");
+    folder.write("e/e.toml", "name = \"e\"\n[axes]\ncurl.turns = [1, 2]\n[scene]\nfile = \"" + file + "\"\n" +
+                                 keys + "\n[preset.quick]\n");
     return read_experiment(folder.path / "e/e.toml");
   }
   Scene first(const Experiment& e, const Overrides& overrides = {}) const {
     return scene_of(e, cases_of(e, preset_of(e, "quick"), overrides).front());
   }
   std::string refusal(const std::string& keys, const std::string& file = "../s/my.toml") const {
-    return test::refusal([&] { first(read(keys, file)); }, "");
+    return test::refusal([&] { first(read(keys, file)); });
   }
-  test::Folder folder;
 };
 
 TEST_F(SceneFile, IsTakenAsItIs) {
@@ -82,22 +75,18 @@ TEST_F(SceneFile, ChangesTheHashOfTheCase) {
 
 TEST_F(SceneFile, ErrorsNameBothFiles) {
   const auto names_both = [&](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find("e/e.toml"), std::string::npos) << text;
-    EXPECT_NE(text.find("s/my.toml"), std::string::npos) << text;
-    EXPECT_NE(text.find(part), std::string::npos) << text;
+    test::expect_has(text, {"e/e.toml", "s/my.toml", part});
   };
   // If a key of the experiment is wrong, the error message contains the line number of the key.
-  EXPECT_NE(refusal("fur.lenght = 1").find("e.toml:6: fur.lenght: no such key; did you mean fur.length?"),
-            std::string::npos);
-  const std::string missing = refusal("", "../s/mine.toml");
-  EXPECT_NE(missing.find("e.toml:5: scene.file: "), std::string::npos) << missing;
-  EXPECT_NE(missing.find("s/mine.toml: there is no such scene file"), std::string::npos) << missing;
+  test::expect_has(refusal("fur.lenght = 1"), "e.toml:6: fur.lenght: no such key; did you mean fur.length?");
+  test::expect_has(refusal("", "../s/mine.toml"),
+                   {"e.toml:5: scene.file: ", "s/mine.toml: there is no such scene file"});
   scene("model = \"torus\"\n[fur]\nlength = 9\n");
   names_both(refusal(""), "my.toml:3: fur.length: 9 is out of range");
   scene("model = ");
   names_both(refusal(""), "my.toml:1: not TOML");
-  EXPECT_NE(refusal("file.x = 1").find("e.toml"), std::string::npos);
-  EXPECT_NE(refusal("", "").find("scene.file must be the path of a scene file"), std::string::npos);
+  test::expect_has(refusal("file.x = 1"), "e.toml");
+  test::expect_has(refusal("", ""), "scene.file must be the path of a scene file");
 }
 
 }  // namespace

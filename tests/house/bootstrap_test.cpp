@@ -15,8 +15,7 @@ struct Outcome {
   std::string calls;  // one line per call of a stub
 };
 
-class Bootstrap : public Checkout {
- protected:
+struct Bootstrap : Checkout {
   void SetUp() override {
     copy_of_repository("bootstrap.sh");
     write("checkout/packages.txt", "cmake\n# a comment\nlibexample-dev   # its reason\n");
@@ -51,7 +50,7 @@ TEST_F(Bootstrap, ExplainsItself) {
 TEST_F(Bootstrap, InstallsNothingThatIsThere) {
   const Outcome outcome = run("--no-install build");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  EXPECT_FALSE(has(outcome.calls, "apt-get")) << outcome.calls;
+  expect_lacks(outcome.calls, "apt-get");
   expect_has(outcome.calls, "--target pelage");
 }
 
@@ -70,9 +69,8 @@ TEST_F(Bootstrap, InstallsWhatIsMissingOnly) {
   const Outcome outcome = run("setup");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   expect_has(outcome.text, "installing 1 packages");
-  expect_has(outcome.calls, "update\n");
-  expect_has(outcome.calls, "install --no-install-recommends libexample-dev\n");
-  EXPECT_FALSE(has(outcome.calls, "install --no-install-recommends cmake")) << outcome.calls;
+  expect_has(outcome.calls, {"update\n", "install --no-install-recommends libexample-dev\n"});
+  expect_lacks(outcome.calls, "install --no-install-recommends cmake");
 }
 
 TEST_F(Bootstrap, ShowsWhyAnInstallationFailed) {
@@ -88,25 +86,22 @@ TEST_F(Bootstrap, ShowsWhyAnInstallationFailed) {
 TEST_F(Bootstrap, RunsTableOneIntoAFolderOfItsOwnAndReportsIt) {
   const Outcome outcome = run("table1 --device pocl");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  expect_has(outcome.calls, "pelage run silva2010-table1 --preset quick -o pelage-results/");
-  expect_has(outcome.calls, "--device pocl\n");
-  expect_has(outcome.calls, "pelage report pelage-results/");
+  expect_has(outcome.calls, {"pelage run silva2010-table1 --preset quick -o pelage-results/",
+                             "--device pocl\n", "pelage report pelage-results/"});
   expect_has(outcome.text, "report/index.html");
 }
 
 TEST_F(Bootstrap, LeavesTheUsersOwnChoicesAlone) {
   const Outcome chosen = run("table1 --preset smoke -o mine");
-  expect_has(chosen.calls, "pelage run silva2010-table1 --preset smoke -o mine\n");
-  expect_has(chosen.calls, "pelage report mine -o mine/report\n");
-  const Outcome resumed = run("table1 --resume old");
-  expect_has(resumed.calls, "pelage run silva2010-table1 --preset quick --resume old\n");
-  expect_has(resumed.calls, "pelage report old -o old/report\n");
-  const Outcome dry = run("table1 --dry-run");
-  EXPECT_FALSE(has(dry.calls, "pelage report")) << dry.calls;
+  expect_has(chosen.calls,
+             {"pelage run silva2010-table1 --preset smoke -o mine\n", "pelage report mine -o mine/report\n"});
+  expect_has(run("table1 --resume old").calls, {"pelage run silva2010-table1 --preset quick --resume old\n",
+                                                "pelage report old -o old/report\n"});
+  expect_lacks(run("table1 --dry-run").calls, "pelage report");
   const Outcome anonymous = run("table1 --anonymous");
   std::array<char, 256> host{};
   ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
-  EXPECT_FALSE(has(anonymous.calls, host.data())) << anonymous.calls;
+  expect_lacks(anonymous.calls, host.data());
 }
 
 TEST_F(Bootstrap, PassesOnHowTheRunEnded) {
@@ -125,8 +120,7 @@ TEST_F(Bootstrap, RunsTheTestsAndPassesOnTheirVerdict) {
   const Outcome passed = run("test -R cl");
   EXPECT_EQ(passed.exit_code, 0) << passed.text;
   expect_has(passed.calls, "--output-on-failure --parallel 5 --label-exclude full -R cl\n");
-  const Outcome full = run("test --full -R cl");
-  expect_has(full.calls, "--output-on-failure --parallel 5 -R cl\n");
+  expect_has(run("test --full -R cl").calls, "--output-on-failure --parallel 5 -R cl\n");
   stub("ctest", "exit 8");
   EXPECT_EQ(run("test").exit_code, 8);
 }

@@ -9,16 +9,16 @@
 namespace pelage::house {
 
 using test::expect_has;
+using test::expect_lacks;
 using test::has;
 
-class Checkout : public ::testing::Test {
- protected:
-  std::filesystem::path path(const std::string& name) const { return folder_.path / name; }
-  std::string read(const std::string& name) const { return test::text_of(path(name)); }
+struct Checkout : test::InFolder {
+  std::filesystem::path path(const std::string& name) const { return folder.path / name; }
+  std::string read(const std::string& name) const { return folder.read(name); }
   /// Writes a file, whose name is relative to the folder of the folders `bin` and `checkout`.
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories(path(name).parent_path());
-    test::write_text(path(name), text);
+    folder.write(name, text);
   }
   void write_program(const std::string& name, const std::string& body) const {
     write(name, "#!/bin/sh\n" + body + "\n");
@@ -41,9 +41,6 @@ class Checkout : public ::testing::Test {
             .c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-
- private:
-  test::Folder folder_;
 };
 
 }  // namespace pelage::house

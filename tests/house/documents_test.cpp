@@ -1,7 +1,6 @@
 // Tests that the documents name functions and files that exist, that their links lead somewhere, that the
 // code cites documents and sections that exist, and that docs/code.md names every folder that contains code.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
@@ -16,6 +15,7 @@
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace fs = std::filesystem;
 using pelage::house::root;
@@ -24,10 +24,8 @@ namespace {
 
 std::set<std::string> words_of(const std::string& text) {
   static const std::regex word(R"([A-Za-z_]\w*)");
-  std::set<std::string> words;
-  for (std::sregex_iterator match(text.begin(), text.end(), word), end; match != end; ++match)
-    words.insert(match->str());
-  return words;
+  const std::vector<std::string> words = pelage::test::matches(text, word);
+  return {words.begin(), words.end()};
 }
 
 /// The words of the source files and the names of the kernel files. A document may name only functions and
@@ -41,10 +39,10 @@ const Tree& tree() {
   static const Tree known = [] {
     Tree made;
     for (const char* folder : {"harness", "kernels", "shaders", "tests", "bench"})
-      for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-        if (!entry.is_regular_file() || entry.path().filename() == "documents_test.cpp") continue;
-        made.words.merge(words_of(pelage::test::text_of(entry.path())));
-        if (std::string(folder) == "kernels") made.kernels.insert(entry.path().filename().string());
+      for (const fs::path& file : pelage::test::files_below(root / folder)) {
+        if (file.filename() == "documents_test.cpp") continue;
+        made.words.merge(words_of(pelage::test::text_of(file)));
+        if (std::string(folder) == "kernels") made.kernels.insert(file.filename().string());
       }
     return made;
   }();
@@ -91,7 +89,6 @@ std::vector<fs::path> documents() {
   return found;
 }
 
-/// Returns the titles of a document's sections.
 std::vector<std::string> titles_of(const std::string& text) {
   std::vector<std::string> titles;
   std::istringstream stream(text);
@@ -240,18 +237,12 @@ TEST(Documents, TogetherHaveAtMost35000Words) {
 
 TEST(Documents, CitedByTheCodeExist) {
   std::size_t files = 0;
-  for (const char* folder : {"harness", "kernels", "shaders", "tests", "bench", "experiments", "examples",
-                             "scripts", "python", "cmake", "docs"})
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      static const std::set<std::string> kinds{".cpp",  ".hpp",   ".h",   ".in",  ".cl", ".clh",
-                                               ".vert", ".frag",  ".py",  ".sh",  ".md", ".toml",
-                                               ".1",    ".cmake", ".txt", ".glsl"};
-      if (!entry.is_regular_file() || !kinds.contains(entry.path().extension().string())) continue;
-      if (entry.path().filename() == "documents_test.cpp") continue;
-      ++files;
-      for (const std::string& fault : dead_citations(pelage::test::text_of(entry.path())))
-        ADD_FAILURE() << entry.path().lexically_relative(root).generic_string() << ": " << fault;
-    }
+  for (const std::string& file : pelage::house::written_files()) {
+    if (file.find('/') == std::string::npos || file.ends_with("documents_test.cpp")) continue;
+    ++files;
+    for (const std::string& fault : dead_citations(pelage::test::text_of(root / file)))
+      ADD_FAILURE() << file << ": " << fault;
+  }
   EXPECT_GT(files, 500u);
 }
 

@@ -10,8 +10,7 @@
 namespace pelage::house {
 namespace {
 
-class Lint : public Checkout {
- protected:
+struct Lint : Checkout {
   void SetUp() override {
     if (std::system("git --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no git";
     copy_of_repository(".ci/lint");
@@ -28,10 +27,8 @@ class Lint : public Checkout {
     ASSERT_EQ(shell("git init -q -b main && git add . && git commit -q -m first"), 0);
     for (int i = 0; i < 10; ++i) ASSERT_EQ(shell("git commit -q --allow-empty -m next"), 0);
   }
-  // Installs a stub of clang-tidy. The stub records the name of the unit that it should check, and
-  // then runs the shell code `body`. Also installs a stub of nproc that reports one processor, so .ci/lint
-  // checks the units one after another. The names are therefore recorded in the order of the checks. A stub
-  // of cmake configures nothing.
+  // Installs a stub of clang-tidy, which records the name of its unit and runs the shell code `body`.
+  // With one processor (the stub of nproc), .ci/lint checks the units in their order.
   void clang_tidy(const std::string& body) const {
     stub("clang-tidy",
          fmt::format("for file; do :; done\necho \"$file\" >>'{}'\n{}", path("notes").string(), body));
@@ -44,7 +41,6 @@ class Lint : public Checkout {
     write("checkout/build/release/compile_commands.json", text + "]\n");
   }
   std::string output() const { return read("output"); }
-  // Returns the names of the units that the stub of clang-tidy received, in order.
   std::vector<std::string> linted() const {
     std::istringstream stream(read("notes"));
     std::vector<std::string> names;
@@ -91,8 +87,8 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// A run of .ci/lint with a time limit may check only some of the unchanged units. After each commit, .ci/lint
-// therefore starts at another place in their list. After enough commits, the runs have checked all.
+// A run with a time limit may check only some of the unchanged units, so each commit makes .ci/lint start at
+// another one.
 TEST_F(Lint, TheOrderOfUnchangedUnitsMovesOn) {
   for (int i = 0; i < 50; ++i) units_.push_back(path(fmt::format("checkout/harness/{}.cpp", i)));
   write_units();

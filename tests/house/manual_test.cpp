@@ -2,6 +2,7 @@
 #include <regex>
 
 #include "tests/cli/shell.hpp"
+#include "tests/support/texts.hpp"
 
 namespace {
 
@@ -18,8 +19,7 @@ std::string plain(const std::string& page) {
 
 TEST(Manual, SaysWhatHelpSays) {
   const std::string page = plain(output_of("manual " PELAGE_SOURCE_DIR "/docs/pelage.1"));
-  for (const char* kept : {"\n.SH NAME\n", "\n.SH ENVIRONMENT\n", "\n.SH EXAMPLES\n"})
-    EXPECT_NE(page.find(kept), std::string::npos) << kept;
+  pelage::test::expect_has(page, {"\n.SH NAME\n", "\n.SH ENVIRONMENT\n", "\n.SH EXAMPLES\n"});
   const std::string all = output_of("--help");
   const std::string commands = all.substr(all.find("Subcommands:") + 12);
   static const std::regex name("\n  ([a-z-]+) "), option("\n  (-[^ ]+)"), list("\\{([^}]+)\\}");

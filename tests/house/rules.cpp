@@ -8,6 +8,8 @@
 #include <regex>
 #include <sstream>
 
+#include "tests/support/files.hpp"
+
 namespace pelage::house {
 namespace {
 
@@ -88,6 +90,22 @@ std::string harness_fault(const std::string& path, const std::string& what, cons
 }
 
 }  // namespace
+
+std::vector<std::string> written_files() {
+  static const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake", ".vert",
+                                           ".txt", ".sh",  ".py", ".md", ".toml", ".1", ".glsl",  ".frag"};
+  std::vector<std::string> files;
+  for (const char* folder : {"harness", "kernels", "shaders", "tests", "experiments", "examples", "docs",
+                             "bench", "scripts", "python", "cmake", ".ci"})
+    if (std::filesystem::is_directory(root / folder))
+      for (const auto& file : test::files_below(root / folder))
+        if (kinds.contains(file.extension()) || std::string(folder) == ".ci")
+          files.push_back(file.lexically_relative(root).generic_string());
+  for (const auto& entry : std::filesystem::directory_iterator(root))
+    if (entry.is_regular_file() && kinds.contains(entry.path().extension()))
+      files.push_back(entry.path().filename().generic_string());
+  return files;
+}
 
 Links room_links(const std::string& cmake_lists) {
   static const std::regex room_line(R"(pelage_room\(\s*([\w/]+)([^)]*)\))");

@@ -10,6 +10,10 @@ namespace pelage::house {
 
 inline const std::filesystem::path root = PELAGE_SOURCE_DIR;  ///< folder of the checkout
 
+/// Returns the source files and documents of the checkout, relative to its root. Pictures and files of
+/// results/ are data and are left out.
+std::vector<std::string> written_files();
+
 using Faults = std::vector<std::string>;  ///< one line per violation, "path:line: what"
 
 /// A room is a library of CMakeLists.txt. Maps each room to the rooms whose headers it may include. These are
@@ -26,11 +30,9 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
 /// line.
 Faults text_faults(const std::string& path, const std::string& text);
 
-/// Each of two computations may be in only one kernel file. Perspective-correct interpolation (arithmetic
-/// with iw1 or iw2) must be in rasterize/coverage/perspective.clh. The code that writes interpolated
-/// attributes into the struct Surface must be in rasterize/shading/surface.clh. If another kernel file
-/// contains one of the two computations, the function reports this file. It also reports perspective.clh or
-/// surface.clh if the file does not contain its computation.
+/// Finds copies of two computations. Perspective-correct interpolation (arithmetic with iw1 or iw2) must be
+/// in rasterize/coverage/perspective.clh and in no other kernel file, and the code that writes interpolated
+/// attributes into the struct Surface in rasterize/shading/surface.clh.
 Faults copy_faults(const std::string& path, const std::string& text);
 
 /// Finds launches of kernels outside of harness/cl/program.cpp, and launches that leave the size of the

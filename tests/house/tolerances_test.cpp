@@ -1,7 +1,6 @@
 // Tests that only harness/compare/tolerances.hpp defines tolerances. A tolerance is a number that decides
 // whether a result is accepted.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "tests/house/rules.hpp"
+#include "tests/support/files.hpp"
 
 namespace fs = std::filesystem;
 using pelage::house::root;
@@ -58,12 +58,11 @@ std::size_t count_in(const std::string& path, const std::string& text) {
 TEST(Tolerances, StandInOnePlace) {
   std::size_t files = 0;
   for (const char* folder : {"harness", "tests", "bench"})
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      const std::string path = entry.path().lexically_relative(root).generic_string();
-      const auto kind = entry.path().extension();
-      if ((kind != ".cpp" && kind != ".hpp") || path.starts_with("tests/house/")) continue;
+    for (const fs::path& file : pelage::test::files_below(root / folder, "pp")) {
+      const std::string path = file.lexically_relative(root).generic_string();
+      if (path.starts_with("tests/house/")) continue;
       ++files;
-      std::ifstream stream(entry.path());
+      std::ifstream stream(file);
       for (const std::string& line : written_tolerances(path, stream)) ADD_FAILURE() << line;
     }
   EXPECT_GT(files, 200u);

@@ -1,8 +1,6 @@
 // Up to 16 files of a folder are compiled as one unit (docs/code.md), so the functions of their anonymous
 // namespaces are one set of overloads. If two files had functions of the same name, a call could select the
 // function of the other file without a word. The names must therefore differ.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -37,10 +35,9 @@ std::set<std::string> anonymous_functions(const std::string& text) {
 TEST(House, NoTwoFilesOfAFolderHaveAnonymousFunctionsOfTheSameName) {
   std::map<std::string, std::string> file_of;  // folder and name -> file
   for (const char* top : {"harness", "tests"})
-    for (const auto& entry : fs::recursive_directory_iterator(pelage::house::root / top)) {
-      if (entry.path().extension() != ".cpp") continue;
-      const std::string file = entry.path().lexically_relative(pelage::house::root).generic_string();
-      for (const std::string& name : anonymous_functions(pelage::test::text_of(entry.path()))) {
+    for (const fs::path& path : pelage::test::files_below(pelage::house::root / top, ".cpp")) {
+      const std::string file = path.lexically_relative(pelage::house::root).generic_string();
+      for (const std::string& name : anonymous_functions(pelage::test::text_of(path))) {
         const auto [place, added] =
             file_of.try_emplace(fs::path(file).parent_path().string() + " " + name, file);
         EXPECT_TRUE(added) << file << ": " << place->second << " also has a function " << name

@@ -1,11 +1,9 @@
 #include "harness/measure/runner.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <limits>
 #include <random>
@@ -14,15 +12,12 @@
 #include "harness/error.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "tests/support/fake.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::fake_plan;
-using test::FakeSubject;
-using test::Folder;
-using test::text_of;
+using namespace test;
 
 MakeSubject fakes() {
   return [](const Case&) { return std::make_unique<FakeSubject>(10.0); };
@@ -38,9 +33,7 @@ Row row_of(Arguments... arguments) {
                   [=](const Case&) { return std::make_unique<Fake>(arguments...); });
 }
 
-/// Every test has a journal in a temporary folder.
-struct Runner : ::testing::Test {
-  Folder folder;
+struct Runner : InFolder {
   Journal journal{folder.path / "j.jsonl", Journal::Mode::fresh};
 };
 
@@ -57,16 +50,18 @@ TEST_F(Runner, AnOkRowHoldsItsSamplesAndSaysWhereItComesFrom) {
   EXPECT_EQ(row.image_hash.size(), 16u);
 }
 
+/// A subject whose frames take at least `ms`.
 struct Slow : FakeSubject {
-  Slow() : FakeSubject(10) {}
+  explicit Slow(int ms) : FakeSubject(10), ms_(ms) {}
   FrameSample frame() override {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(std::chrono::milliseconds(ms_));
     return FakeSubject::frame();
   }
+  int ms_;
 };
 
 TEST_F(Runner, ARowSaysWhatOtherProcessesTook) {
-  const Row row = row_of<Slow>();
+  const Row row = row_of<Slow>(100);
   ASSERT_EQ(row.status, Status::ok) << row.reason;
   if (!std::ifstream("/proc/stat")) GTEST_SKIP() << "no /proc/stat";
   ASSERT_TRUE(row.provenance.contains("other_cpu_share"));
@@ -79,8 +74,7 @@ TEST_F(Runner, AFailedCheckPublishesNoTime) {
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_TRUE(row.samples.empty());
   EXPECT_FALSE(row.metrics.contains("fragments_per_s"));
-  EXPECT_NE(row.reason.find("psnr against reference is 59.9, but must be at least 60"), std::string::npos)
-      << row.reason;
+  test::expect_has(row.reason, "psnr against reference is 59.9, but must be at least 60");
 }
 
 struct Compared : FakeSubject {
@@ -140,7 +134,7 @@ TEST_F(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
   const auto rows = read_contents(journal.file()).rows;
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1].status, Status::error);
-  EXPECT_NE(rows[1].reason.find("log line 2"), std::string::npos);
+  test::expect_has(rows[1].reason, "log line 2");
   EXPECT_EQ(rows[2].status, Status::unsupported);
   EXPECT_EQ(rows[3].status, Status::ok);
 }
@@ -164,22 +158,13 @@ TEST_F(Runner, ASpentBudgetLeavesTheRest) {
   EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
 }
 
-/// A subject whose frames take at least 1 ms. The times that it reports grow from frame to frame, so their
-/// median never reaches the required precision.
-struct Endless : FakeSubject {
-  Endless() : FakeSubject(10) {}
-  FrameSample frame() override {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return FakeSubject::frame();
-  }
-};
-
+// The reported times grow from frame to frame, so their median never reaches the required precision.
 TEST_F(Runner, CasesThatNeverConvergeShareTheBudget) {
   RunPlan plan = fake_plan(4);
   plan.limits = {0, 1, 1000000, 0, 100};
   plan.budget_s = 0.8;
   const RunSummary summary = run_cases(
-      plan, [](const Case&) { return std::make_unique<Endless>(); }, journal);
+      plan, [](const Case&) { return std::make_unique<Slow>(1); }, journal);
   EXPECT_EQ(summary.ok, 4u);
   EXPECT_EQ(summary.left, 0u) << "the first case took the budget of the others";
 }
@@ -226,7 +211,6 @@ int run_in_child(const fs::path& file, int cases, double kill_after_ms, int sign
   return status;
 }
 
-/// Returns the journal line of a row of results, without times and dates.
 std::string without_times(Row row) {
   for (const char* key : {"utc", "started_s", "load", "load_after", "cpu_mhz", "cpu_mhz_after",
                           "other_cpu_share", "prepare_s", "sampling_s", "check_s"})

@@ -1,7 +1,6 @@
 // Kills, resumes and divides sweeps (runs of all cases of an experiment) with the program and the preset
 // `smoke`.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,12 +14,11 @@
 
 #include "harness/record/journal.hpp"
 #include "harness/record/results_folder.hpp"
+#include "tests/cli/shell.hpp"
 #include "tests/support/fake.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Runs pelage and discards its output. Kills the process after `kill_after_s` seconds, or never if
 /// `kill_after_s` is negative. Returns the wait status of the process.
@@ -86,7 +84,8 @@ struct Sweep : ::testing::Test {
   }
   static void TearDownTestSuite() { folder.reset(); }
   static std::vector<std::string> run(std::vector<std::string> rest) {
-    rest.insert(rest.begin(), {"run", "silva2010-table1", "--preset", "smoke"});
+    // With few layers, the picture of the reference is computed soon.
+    rest.insert(rest.begin(), {"run", "silva2010-table1", "--preset", "smoke", "--axis", "layers=4,16"});
     return rest;
   }
   static inline std::unique_ptr<test::Folder> folder;
@@ -130,10 +129,7 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
   const std::string out = (folder->path / "shards").string();
   for (const char* shard : {"0/3", "1/3", "2/3"}) ASSERT_EQ(pelage(run({"-o", out, "--shard", shard})), 0);
   expect_same(out);
-  int journals = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(out))
-    journals += entry.path().string().ends_with("-of-3.jsonl");
-  EXPECT_EQ(journals, 3);
+  EXPECT_EQ(test::files_below(out, "-of-3.jsonl").size(), 3u);
 
   // Without --resume, pelage must refuse a folder that already contains rows. With --resume, pelage must keep
   // these rows.
@@ -141,10 +137,8 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
   expect_same(whole);
   EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);
   expect_same(whole);
-  // pelage must refuse to resume a run with another preset.
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
 
-  // Each repeat must run in its own process.
   const std::string repeated = (folder->path / "repeats").string();
   ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
   std::set<std::string> runs;
@@ -158,43 +152,25 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
 }
 
 TEST(SweepUsage, BadUsageIsExitTwoAndLeavesNothing) {
-  ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
   const test::Folder folder;
-  const std::string out = (folder.path / "out").string();
-  for (const std::vector<std::string>& rest :
-       std::vector<std::vector<std::string>>{{"no-such-table"},
-                                             {"silva2010-table1", "--preset", "fast"},
-                                             {"silva2010-table1", "--filter", "("},
-                                             {"silva2010-table1", "--filter", "whale"},
-                                             {"silva2010-table1", "--shard", "2/2"},
-                                             {"silva2010-table1", "--set", "fur.lenght=1"},
-                                             {"silva2010-table1", "--set", "fur.length"},
-                                             {"silva2010-table1", "--axis", "layers=0"},
-                                             {"silva2010-table1", "--axis", "size=0x0"},
-                                             {"silva2010-table1", "--budget", "soon"},
-                                             {"silva2010-table1", "--budget", "5 weeks"},
-                                             {"silva2010-table1", "--budget", "-5s"},
-                                             {"silva2010-table1", "--budget", "1.2.3s"},
-                                             {"silva2010-table1", "--budget", ""},
-                                             {"silva2010-table1", "--device", "no such device"},
-                                             {"silva2010-table1", "--tuning", "/no/such/file"},
-                                             {"silva2010-table1", "--model", "/no/such/mesh.obj"},
-                                             {"silva2010-table1", "silva2010-table1"},
-                                             {}}) {
-    std::vector<std::string> words{"run", "-o", out, "--preset", "smoke"};
-    if (std::find(rest.begin(), rest.end(), "--preset") != rest.end()) words.resize(3);
-    words.insert(words.end(), rest.begin(), rest.end());
-    const int status = pelage(words);
-    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 2) << (rest.empty() ? "nothing" : rest.back());
-    EXPECT_FALSE(fs::exists(out)) << (rest.empty() ? "nothing" : rest.back());
+  for (const std::string rest :
+       {"no-such-table --preset smoke", "silva2010-table1 --preset fast", "silva2010-table1 --filter '('",
+        "silva2010-table1 --filter whale", "silva2010-table1 --shard 2/2",
+        "silva2010-table1 --set fur.lenght=1", "silva2010-table1 --set fur.length",
+        "silva2010-table1 --axis layers=0", "silva2010-table1 --axis size=0x0",
+        "silva2010-table1 --budget soon", "silva2010-table1 --budget '5 weeks'",
+        "silva2010-table1 --budget -5s", "silva2010-table1 --budget 1.2.3s", "silva2010-table1 --budget ''",
+        "silva2010-table1 --device 'no such device'", "silva2010-table1 --tuning /no/such/file",
+        "silva2010-table1 --model /no/such/mesh.obj", "silva2010-table1 silva2010-table1", ""}) {
+    const std::string preset = rest.find("--preset") == std::string::npos ? "--preset smoke " : "";
+    EXPECT_EQ(cli::pelage(folder, "run -o out " + preset + rest).code, 2) << rest;
+    EXPECT_FALSE(fs::exists(folder.path / "out")) << rest;
   }
-  for (const char* time : {"90", "90s", "5m", "1.5h", "0", "123456789.123456789h"})
-    EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--dry-run", "--budget", time})), 0) << time;
-  EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "-o", out, "--resume", out})), 2);
-  EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--resume", out})), 2);
-  EXPECT_EQ(WEXITSTATUS(pelage({"export", out})), 2);
-  EXPECT_EQ(WEXITSTATUS(pelage({"report", out, "-o", out})), 2);
-  EXPECT_EQ(WEXITSTATUS(pelage({"compare", out, out})), 2);
+  for (const std::string time : {"90", "90s", "5m", "1.5h", "0", "123456789.123456789h"})
+    cli::done(folder, "run silva2010-table1 --dry-run --budget " + time);
+  for (const char* command : {"run silva2010-table1 -o out --resume out", "run silva2010-table1 --resume out",
+                              "export out", "report out -o out", "compare out out"})
+    EXPECT_EQ(cli::pelage(folder, command).code, 2) << command;
 }
 
 }  // namespace

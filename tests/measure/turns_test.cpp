@@ -1,8 +1,6 @@
 // Tests that subjects are timed in turns, and that the ratio of their times has one direction.
 #include "harness/measure/turns.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/fake.hpp"
 
 namespace pelage {

@@ -1,22 +1,11 @@
 #include "harness/mesh/cache.hpp"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
 
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {
-
-std::filesystem::path only_file(const std::filesystem::path& folder) {
-  std::filesystem::path found;
-  int files = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) found = entry.path(), ++files;
-  EXPECT_EQ(files, 1);
-  return found;
-}
 
 TEST(Cache, what_is_written_is_read_back) {
   const auto mesh = load_model("torus", fresh());
@@ -46,10 +35,12 @@ TEST(Cache, no_changed_byte_and_no_shorter_file_is_believed) {
 }
 
 TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {
-  const TempFolder folder;
+  const test::Folder folder;
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   const auto first = load_model("square");
-  const std::filesystem::path file = only_file(folder.path);
+  const std::vector<fs::path> files = test::files_below(folder.path);
+  ASSERT_EQ(files.size(), 1u);
+  const fs::path& file = files.front();
   const std::string good = test::text_of(file);
   ASSERT_TRUE(decode(good));
 
@@ -65,7 +56,7 @@ TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {
 }
 
 TEST(Cache, a_folder_that_cannot_be_written_costs_time_only) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string file = folder.write("file", "in the way");
   ::setenv("XDG_CACHE_HOME", file.c_str(), 1);
   EXPECT_EQ(load_model("banisch-grass")->triangle.size(), 16u);

@@ -1,6 +1,5 @@
 // Tests that a surface gives the same mesh in whatever order its file lists points, faces and corners.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +7,7 @@
 #include <random>
 
 #include "harness/mesh/soup.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {
@@ -118,7 +117,7 @@ TEST(Canonical, EqualSurfacesBecomeEqualSoups) {
 
 // Assimp, which reads the UV map of a file, divides a face into triangles from its first corner.
 TEST(Canonical, AFileGivesTheSameMeshInEveryOrder) {
-  const TempFolder folder;
+  const test::Folder folder;
   const Soup soup = shape();
   const std::string file = folder.write("shape.obj", obj(soup));
   for (const bool keep_uv : {false, true}) {

@@ -2,13 +2,12 @@
 #include "harness/mesh/components.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "harness/mesh/quality.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {
@@ -39,7 +38,7 @@ class Shapes {
     return *this;
   }
   std::shared_ptr<const Mesh> mesh(const MeshOptions& options = fresh()) const {
-    return load_model(TempFolder().write("shapes.obj", text_), options);
+    return load_model(test::Folder().write("shapes.obj", text_), options);
   }
 
  private:
@@ -96,14 +95,6 @@ TEST(Components, LieApartByAtLeastTwoTexelsOfAMask) {
       }
     }
   }
-}
-
-TEST(Components, OnlyTheLargestIsKeptWhereAsked) {
-  MeshOptions options = fresh();
-  options.largest_only = true;
-  const auto mesh = Shapes().triangle({0, 0, 4}, 9).octahedron({0, 0, 0}, 1).mesh(options);
-  EXPECT_EQ(topology(*mesh).components, 1u);
-  EXPECT_EQ(mesh->triangle.size(), 8u);
 }
 
 TEST(Components, ThatAreOpenAndSmallAreDropped) {

@@ -2,14 +2,12 @@
 // sphere.
 #include "harness/mesh/finish.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "harness/error.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {
@@ -58,26 +56,18 @@ glm::vec3 extent(const Mesh& mesh) {
   return high - low;
 }
 
-std::shared_ptr<const Mesh> turned_pyramid(const TempFolder& folder, glm::vec3 degrees) {
+std::shared_ptr<const Mesh> turned_pyramid(const test::Folder& folder, glm::vec3 degrees) {
   MeshOptions options = fresh();
   options.rotate = degrees;
   return load_model(folder.write("pyramid.off", pyramid), options);
 }
 
 TEST(Rotate, TurnsAboutXThenYThenZ) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto plain = turned_pyramid(folder, glm::vec3(0));
   const glm::vec3 size = extent(*plain);
   ASSERT_GT(size.z, size.x);
   ASSERT_GT(size.x, size.y);
-
-  const auto upright = turned_pyramid(folder, {-90, 0, 0});  // rotates z to y
-  EXPECT_NEAR(extent(*upright).y, size.z, 1e-5f);
-  EXPECT_NEAR(extent(*upright).z, size.y, 1e-5f);
-  const auto tip = std::max_element(upright->position.begin(), upright->position.end(),
-                                    [](const auto& a, const auto& b) { return a.y < b.y; });
-  EXPECT_NEAR(tip->x, 0.0f, 1e-5f);
-  EXPECT_NE(upright->hash, plain->hash);
 
   // The rotation about x maps the direction (0, 0, 1) to (0, 1, 0), and the rotation about z then maps (0, 1,
   // 0) to (-1, 0, 0). In the reverse order, (0, 0, 1) would be mapped to (0, 1, 0).
@@ -85,6 +75,7 @@ TEST(Rotate, TurnsAboutXThenYThenZ) {
   EXPECT_NEAR(extent(*both).x, size.z, 1e-5f);
   EXPECT_NEAR(extent(*both).y, size.x, 1e-5f);
   EXPECT_NEAR(extent(*both).z, size.y, 1e-5f);
+  EXPECT_NE(both->hash, plain->hash);
 }
 
 TEST(Rotate, KeepsTheSurfaceAndTheMap) {

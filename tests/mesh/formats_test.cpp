@@ -1,13 +1,11 @@
 // Tests that the same octahedron or tetrahedron is read from every file format.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
-#include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/mesh/mesh_files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -93,20 +91,13 @@ std::string three_ds() {
   return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("octa\0", 5) + mesh)));
 }
 
-// Writes a glTF file with its buffers in a separate file, as most exporters do.
-std::string gltf(const TempFolder& folder) {
+std::string gltf_buffer() {
   std::string buffer;
   for (const auto& p : corner)
     for (const float x : p) put(buffer, x);
   for (const auto& t : face)
     for (const int index : t) put(buffer, std::uint16_t(index));
-  folder.write("octa.bin", buffer);
-  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
- "buffers": [{"uri": "octa.bin", "byteLength": 120}],
- "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 48}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3", "min": [-1, -1, -1], "max": [1, 1, 1]},
-               {"bufferView": 1, "componentType": 5123, "count": 24, "type": "SCALAR"}]})";
+  return buffer;
 }
 
 void expect_octahedron(const std::string& file) {
@@ -126,8 +117,9 @@ void expect_octahedron(const std::string& file) {
   EXPECT_EQ(uv_quality(*mesh, 256).flipped_faces, 0u) << file;
 }
 
-TEST(Formats, every_one_is_read) {
-  const TempFolder folder;
+struct Formats : test::InFolder {};
+
+TEST_F(Formats, every_one_is_read) {
   expect_octahedron(folder.write("octa.obj", "# comment\no octa\n" + corners("v ") + faces("f", 1)));
   expect_octahedron(folder.write("octa.off", "OFF\n6 8 0\n\n" + corners("") + "# comment\n" + faces("3", 0)));
   expect_octahedron(folder.write("ascii.ply", ply(false)));
@@ -135,18 +127,17 @@ TEST(Formats, every_one_is_read) {
   expect_octahedron(folder.write("ascii.stl", stl(false)));
   expect_octahedron(folder.write("binary.stl", stl(true)));
   expect_octahedron(folder.write("octa.3ds", three_ds()));
-  expect_octahedron(folder.write("octa.gltf", gltf(folder)));
+  folder.write("octa.bin", gltf_buffer());
+  expect_octahedron(folder.write("octa.gltf", test::gltf_text("octa.bin", 6, 24)));
 }
 
-TEST(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {
-  const TempFolder folder;
+TEST_F(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {
   expect_octahedron(folder.write("OCTA.OBJ", "mtllib a.mtl\n" + corners("v ") +
                                                  "vn 0 0 1\nusemtl a\ns off\nl 1 2\n" + "f 1/1/1 3//1 5\n" +
                                                  faces("f", 1).substr(8)));
 }
 
-TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
-  const TempFolder folder;
+TEST_F(Formats, an_obj_keeps_its_own_map_when_asked_to) {
   const std::string file = folder.write("quad.obj",
                                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt "
                                         "0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n");
@@ -159,8 +150,7 @@ TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
   EXPECT_EQ(std::count(made->uv.begin(), made->uv.end(), glm::vec2(0.25f, 0.25f)), 0);
 }
 
-TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
-  const TempFolder folder;
+TEST_F(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
   const auto message = [](const std::string& name) {
     return test::refusal([&] { load_model(name, fresh({}, true)); });
   };
@@ -174,8 +164,7 @@ TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
   EXPECT_EQ(message("torus").substr(0, 19), "torus: is no file, ");
 }
 
-TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
-  const TempFolder folder;
+TEST_F(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
   const std::string file = folder.write(
       "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 3 0\nvt 3 2\nvt 0 2\nf 1/1 2/2 3/3 4/4\n");
   const auto kept = load_model(file, fresh({}, true));
@@ -186,8 +175,7 @@ TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
 
 // Each file contains one triangle. The texture coordinates of its corners coincide or lie on a line, so the
 // UV map has no area.
-TEST(Formats, a_map_without_an_area_is_not_kept) {
-  const TempFolder folder;
+TEST_F(Formats, a_map_without_an_area_is_not_kept) {
   for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 0\nvt 0.25 0\n",
                          "vt 5 5\nvt 5 5\nvt 5 5\n", "vt 1e200 0\nvt 1e200 0\nvt 1e200 0\n"}) {
     const std::string file =
@@ -197,8 +185,7 @@ TEST(Formats, a_map_without_an_area_is_not_kept) {
   }
 }
 
-TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
-  const TempFolder folder;
+TEST_F(Formats, what_can_be_repaired_is_and_it_is_said) {
   // The file has two components. The larger one has a flipped face, a missing face and a duplicate face.
   std::string text = corners("v ") + faces("f", 1);
   text.replace(text.find("f 1 3 5"), 7, "f 3 1 5");
@@ -213,9 +200,8 @@ TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
   const Topology t = topology(*mesh);
   EXPECT_TRUE(t.manifold());
   EXPECT_EQ(t.components, 1u);
-  EXPECT_NE(said.find("dropped 1 degenerate or doubled face"), std::string::npos) << said;
-  EXPECT_NE(said.find("kept the largest of 2 components"), std::string::npos) << said;
-  EXPECT_NE(said.find("left 1 border open"), std::string::npos) << said;
+  test::expect_has(said, {"dropped 1 degenerate or doubled face", "kept the largest of 2 components",
+                          "left 1 border open"});
 }
 
 }  // namespace

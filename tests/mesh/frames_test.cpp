@@ -10,8 +10,8 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
-#include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/mesh/mesh_files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -48,14 +48,16 @@ glm::dvec3 bent(glm::dvec3 p, int frame) {
   return p + glm::dvec3(0.3 * frame, 0.1 * frame * std::sin(p.x), 0);
 }
 
-std::string refusal_of_frames(const TempFolder& folder, const std::string& first, int count) {
+std::string refusal_of_frames(const test::Folder& folder, const std::string& first, int count) {
   return test::refusal([&] {
     read_mesh_frames(*load_model((folder.path / first).string(), fresh()), folder.path / first, count,
                      glm::dvec3(0));
   });
 }
 
-TEST(MeshFrames, FilesCountUp) {
+struct MeshFrames : test::InFolder {};
+
+TEST_F(MeshFrames, FilesCountUp) {
   EXPECT_EQ(frame_file("walk/a-0009.obj", 0), "walk/a-0009.obj");
   EXPECT_EQ(frame_file("walk/a-0009.obj", 1), "walk/a-0010.obj");
   EXPECT_EQ(frame_file("walk2/a9.final.ply", 2), "walk2/a11.final.ply");
@@ -64,8 +66,7 @@ TEST(MeshFrames, FilesCountUp) {
   EXPECT_THROW(frame_file("walk3/a.obj", 1), InputError);
 }
 
-TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
-  const TempFolder folder;
+TEST_F(MeshFrames, HaveThePlacementOfTheFirstFrame) {
   for (int frame = 0; frame < 3; ++frame)
     folder.write(fmt::format("ring{}.obj", frame), torus([&](glm::dvec3 p) { return bent(p, frame); }));
   MeshOptions options = fresh();
@@ -88,8 +89,7 @@ TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
 }
 
 // Exporters print small negative numbers as -0.
-TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
-  const TempFolder folder;
+TEST_F(MeshFrames, MayHavePointsWithNegativeZeros) {
   const Move centred = [](glm::dvec3 p) {
     p -= glm::dvec3(30, -5, 11);
     for (int k = 0; k < 3; ++k)
@@ -97,21 +97,18 @@ TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
     return p;
   };
   for (const int frame : {1, 2}) folder.write(fmt::format("z{}.obj", frame), torus(centred));
-  EXPECT_NE(torus(centred).find(" -0 "), std::string::npos);
+  test::expect_has(torus(centred), " -0 ");
   EXPECT_EQ(refusal_of_frames(folder, "z1.obj", 2), "accepted");
 }
 
-TEST(MeshFrames, ThatDoNotMatchAreRefused) {
+TEST_F(MeshFrames, ThatDoNotMatchAreRefused) {
   const Move still = [](glm::dvec3 p) { return p; };
-  const TempFolder folder;
   folder.write("a1.obj", torus(still));
-  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos)
-      << refusal_of_frames(folder, "a1.obj", 2);
+  test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "a2.obj");
   folder.write("a2.obj", torus(still, 2 * around * along - 1));
-  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("the points or faces are not those of"),
-            std::string::npos);
+  test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "the points or faces are not those of");
   folder.write("a2.obj", "no mesh");
-  EXPECT_NE(refusal_of_frames(folder, "a1.obj", 2).find("a2.obj"), std::string::npos);
+  test::expect_has(refusal_of_frames(folder, "a1.obj", 2), "a2.obj");
 
   // Two tori of the same points, of which only one moves.
   const std::string text = torus(still);
@@ -122,15 +119,12 @@ TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   };
   folder.write("b1.obj", twice(still));
   folder.write("b2.obj", twice([](glm::dvec3 p) { return p + glm::dvec3(0, 1, 0); }));
-  EXPECT_NE(refusal_of_frames(folder, "b1.obj", 2).find("coincide in the first frame and part here"),
-            std::string::npos)
-      << refusal_of_frames(folder, "b1.obj", 2);
+  test::expect_has(refusal_of_frames(folder, "b1.obj", 2), "coincide in the first frame and part here");
 }
 
 // Small holes are filled, and the points of the faces that fill them come from the file. A part that the
 // preparation drops makes the box of the file larger than that of the mesh.
-TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
-  const TempFolder folder;
+TEST_F(MeshFrames, PartsThatThePreparationDropsAreRefused) {
   const auto with_speck = [](const std::string& text) {
     const std::size_t faces = text.find('f');
     const int points = around * along;
@@ -139,9 +133,7 @@ TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
   };
   for (const int frame : {1, 2})
     folder.write(fmt::format("c{}.obj", frame), with_speck(torus([](glm::dvec3 p) { return p; })));
-  EXPECT_NE(refusal_of_frames(folder, "c1.obj", 2).find("the preparation of this mesh moved"),
-            std::string::npos)
-      << refusal_of_frames(folder, "c1.obj", 2);
+  test::expect_has(refusal_of_frames(folder, "c1.obj", 2), "the preparation of this mesh moved");
 }
 
 }  // namespace

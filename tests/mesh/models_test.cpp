@@ -1,22 +1,18 @@
 #include "harness/mesh/models.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/procedural.hpp"
 #include "harness/mesh/quality.hpp"
-#include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/mesh/mesh_files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-// Checks properties that every prepared mesh must have.
 void expect_well_made(const Mesh& mesh) {
   float farthest = 0;
   for (const glm::vec3& p : mesh.position) farthest = std::max(farthest, glm::length(p));
@@ -103,7 +99,7 @@ TEST(Models, all_say_where_they_come_from) {
 }
 
 TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto message = [&](const std::string& text) {
     const std::string said = test::refusal([&] { read_models(folder.write("models.toml", text)); });
     return said == "accepted" ? said : said.substr(folder.path.string().size() + 1);

@@ -1,19 +1,16 @@
 // Tests files of archives, mesh files that refer to other files, and mesh files that begin with a byte-order
 // mark.
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <cstdlib>
 #include <fstream>
 
 #include "harness/mesh/soup.hpp"
-#include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/mesh/mesh_files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Returns the bytes of a glTF buffer: the points of a tetrahedron (12 floats), then its faces (12 16-bit
 /// integers).
@@ -25,21 +22,16 @@ std::string buffer(float size) {
 }
 
 std::string gltf_with(const std::string& uri) {
-  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
-"buffers":[{"byteLength":72,"uri":")" +
-         uri +
-         R"("}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-2,-2,-2],"max":[2,2,2]},
-{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
+  return test::gltf_text(uri, 4, 12);
 }
 
 std::string refusal_of(const std::string& file) {
   return test::refusal([&] { load_model(file, fresh()); });
 }
 
-TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
-  const TempFolder folder;
+struct OutsideFiles : test::InFolder {};
+
+TEST_F(OutsideFiles, AreThoseThatTheGltfFileNames) {
   folder.write("a b.bin", buffer(1));
   EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20b.bin"))),
             std::vector<fs::path>{folder.path / "a b.bin"});
@@ -54,8 +46,7 @@ TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
   EXPECT_EQ(detail::gltf_files(folder.write("d.glb", binary)).size(), 1u);
 }
 
-TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
-  const TempFolder folder;
+TEST_F(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
   fs::create_directory(folder.path / "inner");
   folder.write("outside.bin", buffer(1));
   ASSERT_EQ(::mkfifo((folder.path / "pipe").c_str(), 0600), 0);
@@ -73,8 +64,7 @@ TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
 }
 
 // After a buffer file has changed, the cache must not return the old mesh.
-TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
-  const TempFolder folder;
+TEST_F(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
   ::setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
   folder.write("a.bin", buffer(1));
   const std::string file = folder.write("a.gltf", gltf_with("a.bin"));
@@ -85,8 +75,7 @@ TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
   ::unsetenv("XDG_CACHE_HOME");
 }
 
-TEST(OutsideFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
-  const TempFolder folder;
+TEST_F(OutsideFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
   const std::string obj = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   const std::string plain = folder.write("a.obj", obj), marked = folder.write("b.obj", "\xef\xbb\xbf" + obj);
   EXPECT_EQ(load_model(marked, fresh())->position, load_model(plain, fresh())->position);
@@ -101,8 +90,8 @@ class Archive : public testing::Test {
     fs::create_directories((folder_.path / long_name).parent_path());
     std::string noise;
     for (unsigned i = 0, x = 1; i < 100000; ++i) noise += char((x = x * 1664525 + 1013904223) >> 24);
-    std::ofstream(folder_.path / "meshes/noise.off", std::ios::binary) << noise;
-    std::ofstream(folder_.path / "meshes/empty.off") << "";
+    folder_.write("meshes/noise.off", noise);
+    folder_.write("meshes/empty.off", "");
     std::ofstream(folder_.path / long_name) << "OFF long";
     noise_ = noise;
     const std::string command =
@@ -113,7 +102,7 @@ class Archive : public testing::Test {
   static std::string error_of(const fs::path& file, const std::string& member) {
     return test::refusal([&] { read_member(file, member); });
   }
-  TempFolder folder_;
+  test::Folder folder_;
   std::string noise_;
 };
 

@@ -1,13 +1,11 @@
 #include "harness/mesh/quality.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "harness/mesh/unfold.hpp"
 #include "harness/mesh/write_ply.hpp"
-#include "tests/mesh/temp_folder.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/mesh/mesh_files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -105,7 +103,7 @@ std::vector<glm::uvec3> from_the_smallest(std::vector<glm::uvec3> triangles) {
 }
 
 TEST(WritePly, what_is_written_is_a_mesh_with_its_map) {
-  const TempFolder folder;
+  const test::Folder folder;
   const auto mesh = load_model("square", fresh());
   const std::string file = (folder.path / "square.ply").string();
   write_ply(file, *mesh);
@@ -117,7 +115,7 @@ TEST(WritePly, what_is_written_is_a_mesh_with_its_map) {
 }
 
 TEST(WritePly, a_place_that_cannot_be_written_is_named) {
-  const TempFolder folder;
+  const test::Folder folder;
   const std::string file = (folder.path / "none" / "a.ply").string();
   const std::string said = test::refusal([&] { write_ply(file, Mesh{}); });
   EXPECT_EQ(said, file + ": cannot be written: No such file or directory");

@@ -58,7 +58,6 @@ Surface sheet(int side) {
   return surface;
 }
 
-/// Moves the point p of a sheet in UV.
 void move(Surface& surface, std::uint32_t p, glm::dvec2 by) {
   for (std::size_t f = 0; f < surface.triangle.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k)

@@ -20,8 +20,7 @@
 #include "tests/strands/support/strands.hpp"
 #include "tests/support/oclgrind.hpp"
 #include "tests/support/synthetic.hpp"
-
-namespace fs = std::filesystem;
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -31,10 +30,9 @@ struct Findings {
   std::set<std::string> kernels, ran;
 };
 
-std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
-  std::set<std::string> found;
-  for (std::sregex_iterator m(text.begin(), text.end(), pattern), end; m != end; ++m) found.insert((*m)[1]);
-  return found;
+std::set<std::string> names_in(const std::string& text, const std::string& pattern) {
+  const std::vector<std::string> all = test::matches(text, std::regex(pattern));
+  return {all.begin(), all.end()};
 }
 
 /// Returns the end of the printed output, which shows the result of the tests. With --inst-counts, oclgrind
@@ -52,8 +50,8 @@ Findings findings(const std::string& tests, const std::string& checks, const std
   const UnderOclgrind run = under_oclgrind(
       tests, "--build-options -cl-opt-disable --num-threads 1 --inst-counts " + checks, environment);
   return {run.status == 0 ? run.log : run.log + last_words(run.printed),
-          matches(run.printed, std::regex("kernel: (\\w+)")),
-          matches(run.printed, std::regex("Instructions executed for kernel '(\\w+)'"))};
+          names_in(run.printed, "kernel: (\\w+)"),
+          names_in(run.printed, "Instructions executed for kernel '(\\w+)'")};
 }
 
 cl::Device device() {
@@ -79,9 +77,8 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
 }
 
-/// Draws a frame, and tests that the kernels wrote its picture. Every call uses another background colour. If
-/// the kernels did not write the picture, its memory could still contain the picture of an earlier call. The
-/// test would detect the other background colour of that picture.
+/// Draws a frame, and tests that the kernels wrote its picture. Every call has another background colour,
+/// because the memory of the picture could still contain that of an earlier call.
 void draw(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, bool count) {
   static int number = 0;
   const auto own = std::make_shared<FrameInput>(*input);
@@ -114,7 +111,7 @@ TEST(DISABLED_Tiny, Names) {
     std::string names(size, '\0');
     ASSERT_EQ(clGetProgramInfo(program.get(), CL_PROGRAM_KERNEL_NAMES, size, names.data(), nullptr),
               CL_SUCCESS);
-    for (const std::string& name : matches(names, std::regex("(\\w+)"))) fmt::print("kernel: {}\n", name);
+    for (const std::string& name : names_in(names, "(\\w+)")) fmt::print("kernel: {}\n", name);
   }
 }
 
@@ -215,11 +212,7 @@ void draw_tiny(strands::Drawing mapping) {
   scene.look.rim = glm::vec3(0.1f);
   scene.look.segments = 3;
   scene.skin = std::make_shared<strands::SkinSurface>(tiny_skin());
-  strands::DrawerOptions options;
-  options.mapping = mapping;
-  options.runs = 2;
-  options.chunks = 2;
-  options.tile = 16;
+  strands::DrawerOptions options{.mapping = mapping, .runs = 2, .chunks = 2, .tile = 16};
   std::vector<strands::KeyedStrand> keyed = ball.strands;
   keyed.front().curvature = 20;
   strands::Drawer drawer(queue, scene, keyed, ball.keys.size(), options);

@@ -1,7 +1,5 @@
 #include "harness/page/page.hpp"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -9,19 +7,12 @@
 #include "harness/picture/image_io.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::text_of;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
-  return n;
-}
+using namespace test;
 
 /// Returns the nonce in the Content-Security-Policy of the page, or "" if the policy has none.
 std::string nonce_of(const std::string& page) {
@@ -43,9 +34,10 @@ void write_pattern(const fs::path& file, int width, int height) {
   write_picture(file, picture);
 }
 
+struct Page : test::InFolder {};
+
 /// HTML code in the results is escaped, both in the page and in the data for its scripts.
-TEST(Page, HostileNamesAreText) {
-  const Folder folder;
+TEST_F(Page, HostileNamesAreText) {
   const std::string hostile = "</script><img src=x onerror=alert(1)>\"'<!--";
   std::vector<FoundRow> rows = test::table1_rows();
   rows.resize(2);
@@ -56,16 +48,16 @@ TEST(Page, HostileNamesAreText) {
   PageParts parts;
   parts.notes = {hostile};
   const std::string page = page_of(write_reports(rows, folder.path, no_note), parts);
-  EXPECT_EQ(page.find("<img src=x"), std::string::npos);
+  test::expect_lacks(page, "<img src=x");
   const std::string number = nonce_of(page);
   EXPECT_EQ(number.size(), 32u);
   EXPECT_EQ(number.find_first_not_of("0123456789abcdef"), std::string::npos);
-  EXPECT_EQ(count(page, "<script nonce=\"" + number + "\">"), count(page, "</script>") - 1)
+  EXPECT_EQ(count_of(page, "<script nonce=\"" + number + "\">"), count_of(page, "</script>") - 1)
       << "one more closes the element with the data";
-  EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
+  EXPECT_EQ(count_of(page, "<script"), count_of(page, "</script>"));
   const std::string other = page_of(write_reports(rows, folder.path / "other", no_note), parts);
   EXPECT_EQ(other.find(number), std::string::npos) << "each page has its own nonce";
-  EXPECT_GT(count(page, "&lt;img src=x onerror"), 3u);
+  EXPECT_GT(count_of(page, "&lt;img src=x onerror"), 3u);
 
   const std::string open = "<script type=\"application/json\" id=\"data\">";
   const std::size_t start = page.find(open) + open.size();
@@ -76,19 +68,16 @@ TEST(Page, HostileNamesAreText) {
 }
 
 /// The policy forbids network access, and permits only scripts that have the page's nonce.
-TEST(Page, ThePolicyNamesEveryScript) {
-  const Folder folder;
+TEST_F(Page, ThePolicyNamesEveryScript) {
   const std::string page = page_of(write_reports(test::table1_rows(), folder.path, no_note), {});
-  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
-  EXPECT_EQ(page.find("script-src 'unsafe-inline'"), std::string::npos);
-  EXPECT_EQ(count(page, "<script nonce=\"" + nonce_of(page) + "\">"), 4u);
-  EXPECT_EQ(page.find(" src=\"http"), std::string::npos);
-  EXPECT_EQ(page.find(" href=\"http"), std::string::npos);
+  test::expect_has(page, "default-src 'none'");
+  test::expect_lacks(page, "script-src 'unsafe-inline'");
+  EXPECT_EQ(count_of(page, "<script nonce=\"" + nonce_of(page) + "\">"), 4u);
+  test::expect_lacks(page, {" src=\"http", " href=\"http"});
 }
 
 /// The tables of the page refer to every cell by its index, and each cell to its rows.
-TEST(Page, CellsLeadToRows) {
-  const Folder folder;
+TEST_F(Page, CellsLeadToRows) {
   std::vector<FoundRow> rows = test::table1_rows();
   std::vector<FoundRow> repeated = rows;
   for (FoundRow& found : repeated) found.row.repeat = 1;
@@ -106,26 +95,23 @@ TEST(Page, CellsLeadToRows) {
   const std::string body = body_of(reports, {});
   for (int cell = 0; cell < 32; ++cell)
     EXPECT_NE(body.find(fmt::format("data-cell=\"{}\"", cell)), std::string::npos) << cell;
-  EXPECT_EQ(count(body, "<tr data-row="), 64u);
+  EXPECT_EQ(count_of(body, "<tr data-row="), 64u);
   EXPECT_FALSE(data["parts"][0]["files"]["silva2010-table1.csv"].get<std::string>().empty());
 }
 
 /// The summary names cases without times only if there are such cases.
-TEST(Page, TheSummaryCountsTheCasesWithoutTimes) {
-  const Folder folder;
+TEST_F(Page, TheSummaryCountsTheCasesWithoutTimes) {
   std::vector<FoundRow> rows = test::table1_rows();
   const std::string all = page_of(write_reports(rows, folder.path, no_note), {});
-  EXPECT_NE(all.find("32 cases. All of them are ok"), std::string::npos);
-  EXPECT_EQ(all.find("have no times"), std::string::npos);
+  test::expect_has(all, "32 cases. All of them are ok");
+  test::expect_lacks(all, "have no times");
   rows[0].row.status = Status::error;
-  const std::string some = page_of(write_reports(rows, folder.path, no_note), {});
-  EXPECT_NE(some.find("32 cases. 31 of them are ok"), std::string::npos);
-  EXPECT_NE(some.find("The other case has no time."), std::string::npos);
+  test::expect_has(page_of(write_reports(rows, folder.path, no_note), {}),
+                   {"32 cases. 31 of them are ok", "The other case has no time."});
 }
 
 /// Rows of the same cases that were measured with another mesh are a second set of results on one page.
-TEST(Page, OnePageHasAllSets) {
-  const Folder folder;
+TEST_F(Page, OnePageHasAllSets) {
   std::vector<FoundRow> rows = test::table1_rows(), others = test::table1_rows(2);
   for (FoundRow& found : others) {
     found.journal = "other.jsonl";
@@ -136,31 +122,29 @@ TEST(Page, OnePageHasAllSets) {
   const std::vector<Report> reports = write_reports(rows, folder.path, no_note);
   ASSERT_EQ(reports.size(), 2u);
   write_page(reports, folder.path / "index.html");
-  const std::string page = text_of(folder.path / "index.html");
-  EXPECT_NE(page.find("Results, set 2"), std::string::npos);
-  EXPECT_EQ(count(page, "<tr data-row="), 64u);
+  const std::string page = folder.read("index.html");
+  test::expect_has(page, "Results, set 2");
+  EXPECT_EQ(count_of(page, "<tr data-row="), 64u);
   EXPECT_FALSE(fs::exists(folder.path / "inputs-2/index.html"));
   EXPECT_TRUE(fs::exists(folder.path / "inputs-2/tables/all-phases.csv"));
 }
 
 /// A plot is a part of the page. Its points have texts with their values, which a browser shows as tooltips.
-TEST(Page, PlotsHaveTheirValues) {
-  const Folder folder;
+TEST_F(Page, PlotsHaveTheirValues) {
   const std::vector<Report> reports = write_reports(test::table1_rows(), folder.path, no_note);
   if (reports[0].plots.empty()) GTEST_SKIP() << "matplotlib is not installed";
   const std::string body = body_of(reports, {});
-  EXPECT_EQ(count(body, "<figure class=\"plot\">"), reports[0].plots.size());
-  EXPECT_NE(body.find("data-file=\"silva2010-table1.csv\">CSV of the plot"), std::string::npos);
-  EXPECT_EQ(count(body, "<?xml"), 0u);
-  EXPECT_EQ(count(body, "<metadata"), 0u);
+  EXPECT_EQ(count_of(body, "<figure class=\"plot\">"), reports[0].plots.size());
+  test::expect_has(body, "data-file=\"silva2010-table1.csv\">CSV of the plot");
+  EXPECT_EQ(count_of(body, "<?xml"), 0u);
+  EXPECT_EQ(count_of(body, "<metadata"), 0u);
   // 32 cases, with our number and the paper's.
-  EXPECT_EQ(count(body, "</title></use>"), 64u);
+  EXPECT_EQ(count_of(body, "</title></use>"), 64u);
 }
 
 /// page_pictures() reduces the width of the pictures until their total size is within the limit, and leaves
 /// pictures out only if it is too large even at the smallest width.
-TEST(Page, PicturesAreReducedToTheLimit) {
-  const Folder folder;
+TEST_F(Page, PicturesAreReducedToTheLimit) {
   std::vector<FoundRow> rows = test::table1_rows();
   const fs::path journal = folder.path / "results" / "silva2010-table1" / "test_device@h.jsonl";
   fs::create_directories(journal.parent_path() / "images");
@@ -176,7 +160,7 @@ TEST(Page, PicturesAreReducedToTheLimit) {
   EXPECT_EQ(pictures[0].width, 500);
   EXPECT_EQ(pictures[0].webp.substr(0, 4), "RIFF");
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("pear-64-800x600.png"), std::string::npos);
+  test::expect_has(notes[0], "pear-64-800x600.png");
 
   notes.clear();
   const auto small = page_pictures(reports, {.bytes = 30'000, .most_width = 500, .least_width = 40}, notes);
@@ -188,16 +172,15 @@ TEST(Page, PicturesAreReducedToTheLimit) {
 
   notes.clear();
   EXPECT_LT(page_pictures(reports, {.bytes = 500, .most_width = 500, .least_width = 200}, notes).size(), 3u);
-  EXPECT_NE(notes.back().find("of 3 pictures"), std::string::npos);
+  test::expect_has(notes.back(), "of 3 pictures");
 
   PageParts parts;
   parts.pictures = pictures;
   const std::string body = body_of(reports, parts);
-  EXPECT_EQ(count(body, "src=\"data:image/webp;base64,"), 3u);
+  EXPECT_EQ(count_of(body, "src=\"data:image/webp;base64,"), 3u);
 }
 
-TEST(Page, APlaceThatCannotBeWritten) {
-  const Folder folder;
+TEST_F(Page, APlaceThatCannotBeWritten) {
   EXPECT_THROW(write_page({}, folder.path / "none" / "index.html"), InputError);
 }
 

@@ -2,7 +2,6 @@
 // read again. Also tests that a failed write leaves no incomplete file.
 #include "harness/picture/image_io.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -16,20 +15,16 @@
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
-class ImageIo : public testing::Test {
- protected:
+struct ImageIo : test::InFolder {
   std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(place), fs::directory_iterator()));
   }
-  test::Folder place;
-  const fs::path& folder = place.path;
+  const fs::path& place = folder.path;
 };
 
 Picture gradient(int width, int height) {
@@ -47,8 +42,8 @@ TEST_F(ImageIo, FloatFormatsKeepEveryBit) {
   Picture picture = gradient(37, 23);
   picture.at(3, 4) = {-0.25f, 7.5f, 1e-20f, 0.0f};  // values must not be clamped or premultiplied
   for (const char* name : {"a.exr", "a.tif", "a.TIFF"}) {
-    write_picture(folder / name, picture);
-    const Picture again = read_picture(folder / name);
+    write_picture(place / name, picture);
+    const Picture again = read_picture(place / name);
     ASSERT_EQ(again.width, 37);
     ASSERT_EQ(again.height, 23);
     EXPECT_EQ(again.pixel, picture.pixel) << name;
@@ -60,8 +55,8 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
   picture.at(0, 1) = {-1.0f, 2.0f, std::numeric_limits<float>::quiet_NaN(), 1.0f};
   picture.at(1, 1) = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), 0.5f,
                       1.0f};
-  write_picture(folder / "a.png", picture);
-  const Picture again = read_picture(folder / "a.png");
+  write_picture(place / "a.png", picture);
+  const Picture again = read_picture(place / "a.png");
   for (int x = 0; x < 256; ++x) {
     EXPECT_LE(std::abs(again.at(x, 0).x - picture.at(x, 0).x), 0.5f / 255.0f + 1e-6f);
     EXPECT_EQ(again.at(x, 0).w, 1.0f);
@@ -74,24 +69,22 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
 // chunks gAMA and cHRM (gamma and primaries) for viewers that do not know the chunk sRGB.
 TEST_F(ImageIo, PngSaysThatItIsSrgb) {
   using namespace std::string_literals;
-  write_picture(folder / "a.png", gradient(3, 2));
-  const std::string bytes = test::text_of(folder / "a.png");
+  write_picture(place / "a.png", gradient(3, 2));
+  const std::string bytes = folder.read("a.png");
   EXPECT_EQ(bytes.substr(12, 17), "IHDR\0\0\0\3\0\0\0\2\x08\2\0\0\0"s);
-  EXPECT_NE(bytes.find("gAMA\0\0\xb1\x8f"s), std::string::npos);
-  EXPECT_NE(bytes.find("sRGB\3"s), std::string::npos);
-  EXPECT_NE(bytes.find("cHRM\0\0\x7a\x26\0\0\x80\x84"s), std::string::npos);
+  test::expect_has(bytes, {"gAMA\0\0\xb1\x8f"s, "sRGB\3"s, "cHRM\0\0\x7a\x26\0\0\x80\x84"s});
 }
 
 TEST_F(ImageIo, TopRowIsFirst) {
   Picture picture{2, 2, {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}}};
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
-    write_picture(folder / name, picture);
-    EXPECT_EQ(read_picture(folder / name).pixel, picture.pixel) << name;
+    write_picture(place / name, picture);
+    EXPECT_EQ(read_picture(place / name).pixel, picture.pixel) << name;
   }
 }
 
 TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
-  const fs::path file = folder / "kept.txt";
+  const fs::path file = place / "kept.txt";
   std::ofstream(file) << "before";
   EXPECT_THROW(write_atomically(file,
                                 [](const fs::path& temporary) {
@@ -102,10 +95,10 @@ TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
   EXPECT_EQ(test::text_of(file), "before");
   EXPECT_EQ(files(), 1u);
   EXPECT_THROW(write_picture("/dev/full/a.png", gradient(2, 2)), InputError);
-  EXPECT_THROW(write_picture(folder / "none/a.png", gradient(2, 2)), InputError);
-  EXPECT_THROW(write_picture(folder / "a.gif", gradient(2, 2)), InputError);
-  EXPECT_THROW(write_picture(folder / "a.png", Picture{}), InputError);
-  EXPECT_THROW(write_picture(folder / "a.png", Picture{2, 2, {}}), InputError);
+  EXPECT_THROW(write_picture(place / "none/a.png", gradient(2, 2)), InputError);
+  EXPECT_THROW(write_picture(place / "a.gif", gradient(2, 2)), InputError);
+  EXPECT_THROW(write_picture(place / "a.png", Picture{}), InputError);
+  EXPECT_THROW(write_picture(place / "a.png", Picture{2, 2, {}}), InputError);
   EXPECT_EQ(files(), 1u);
 }
 
@@ -117,25 +110,25 @@ TEST_F(ImageIo, AFullDiskIsNamed) {
   const rlimit small{64, before.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string said = test::refusal([&] { write_picture(folder / "a.png", gradient(64, 64)); });
+  const std::string said = test::refusal([&] { write_picture(place / "a.png", gradient(64, 64)); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(said, (folder / "a.png").string() + ": cannot be written: File too large");
+  EXPECT_EQ(said, (place / "a.png").string() + ": cannot be written: File too large");
   EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
   const Picture picture = gradient(20, 20);
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
-    write_picture(folder / name, picture);
-    const std::string bytes = test::text_of(folder / name);
+    write_picture(place / name, picture);
+    const std::string bytes = folder.read(name);
     for (std::size_t size = 0; size + 1 < bytes.size(); size += 1 + size / 16) {
-      const fs::path cut = folder / (std::string("cut") + name);
+      const fs::path cut = place / (std::string("cut") + name);
       std::ofstream(cut, std::ios::binary) << bytes.substr(0, size);
       try {
         // A truncation that removes only data after the pixels may pass without an error. A truncation that
         // removes pixels must cause an error.
-        EXPECT_EQ(read_picture(cut).pixel, read_picture(folder / name).pixel) << name << " cut at " << size;
+        EXPECT_EQ(read_picture(cut).pixel, read_picture(place / name).pixel) << name << " cut at " << size;
       } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
       }
@@ -162,15 +155,15 @@ TEST_F(ImageIo, DamagedBytesNeverCrash) {
   unsigned state = 1;
   int refused = 0;
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
-    write_picture(folder / name, picture);
-    const std::string bytes = test::text_of(folder / name);
+    write_picture(place / name, picture);
+    const std::string bytes = folder.read(name);
     for (int attempt = 0; attempt < 100; ++attempt) {
       std::string damaged = bytes;
       for (int hit = 0; hit < 4; ++hit) {
         state = state * 1664525u + 1013904223u;
         damaged[(state >> 8) % damaged.size()] = static_cast<char>(state >> 24);
       }
-      const fs::path file = folder / (std::string("bad") + name);
+      const fs::path file = place / (std::string("bad") + name);
       std::ofstream(file, std::ios::binary) << damaged;
       try {
         const Picture read = read_picture(file);

@@ -1,13 +1,11 @@
 // Tests that text is painted where the scene places it, and that fonts which cannot be read are refused.
 #include "harness/picture/text_mask.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -59,24 +57,19 @@ TEST(TextMask, IsReadableFromLeftToRightAndUpright) {
 }
 
 TEST(TextMask, TextThatLeavesTheSquareIsRefused) {
-  EXPECT_NE(failure_of({"CGI10", default_font(), 0.5, 0.5, 0.5}).find("leaves the unit square"),
-            std::string::npos);
-  EXPECT_NE(failure_of({"I", default_font(), 0.01, 0.5, 0.5}).find("leaves the unit square"),
-            std::string::npos);
+  test::expect_has(failure_of({"CGI10", default_font(), 0.5, 0.5, 0.5}), "leaves the unit square");
+  test::expect_has(failure_of({"I", default_font(), 0.01, 0.5, 0.5}), "leaves the unit square");
   EXPECT_EQ(failure_of({"I", default_font(), 0.5, 0.5, 0.5}), "");
 }
 
 TEST(TextMask, FilesThatAreNoFontsAreRefused) {
-  EXPECT_NE(failure_of({"I", "missing.ttf"}).find("missing.ttf: there is no such font file"),
-            std::string::npos);
+  test::expect_has(failure_of({"I", "missing.ttf"}), "missing.ttf: there is no such font file");
   const test::Folder folder;
-  const auto file = folder.path / "a.ttf";
-  test::write_text(file, "not a font");
-  EXPECT_NE(failure_of({"I", file}).find("not a readable font"), std::string::npos)
-      << failure_of({"I", file});
+  const std::string file = folder.write("a.ttf", "not a font");
+  test::expect_has(failure_of({"I", file}), "not a readable font");
   // A font that is cut off must not crash the program.
-  test::write_text(file, test::text_of(default_font()).substr(0, 20000));
-  EXPECT_NE(failure_of({"I", file}).find(file.string()), std::string::npos);
+  folder.write("a.ttf", test::text_of(default_font()).substr(0, 20000));
+  test::expect_has(failure_of({"I", file}), file);
 }
 
 }  // namespace

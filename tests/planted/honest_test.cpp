@@ -1,6 +1,5 @@
-// Tests correct runs that resemble the faulty runs of the other tests in this folder. pelage must not refuse
-// the results of a correct run, and must not put rows of the same measurement into separate reports. The
-// second table of docs/results.md lists these tests.
+// Tests correct runs that resemble the faulty ones of the other tests: pelage must neither refuse their
+// results nor divide them. The second table of docs/results.md lists these tests.
 
 #include "harness/record/identity.hpp"
 #include "harness/report/report.hpp"
@@ -9,14 +8,12 @@
 namespace pelage::planted {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Honest : Runs {
   /// Runs the experiment `text` with the options. Expects that all rows are ok, and that a report would
   /// contain every row and every case.
   void run(const std::string& text, const std::string& options = "", const std::string& results = "results") {
     folder.write("own.toml", text);
-    done(folder, "run own.toml -o " + results + " " + options);
+    done("run own.toml -o " + results + " " + options);
     expect_whole({path(results)});
   }
   /// Expects that all cases have a row with the status ok, and that a report would put all rows into one set.
@@ -32,9 +29,8 @@ struct Honest : Runs {
     EXPECT_TRUE(kept_apart(places).empty());
   }
   void expect_resumed(const std::string& options = "", const std::string& file = "own.toml") {
-    const Outcome again = done(folder, options + " run " + file + " --resume results");
-    expect_has(again.err, "pelage: 0 cases ok, 0 cases not ok, ");
-    expect_has(again.err, " kept from the interrupted run");
+    const Outcome again = done(options + " run " + file + " --resume results");
+    expect_has(again.err, {"pelage: 0 cases ok, 0 cases not ok, ", " kept from the interrupted run"});
   }
   /// Expects that the resumed run measured the one missing case, and that it kept the row of the other case.
   void expect_one_more(const Outcome& again) {
@@ -74,7 +70,7 @@ TEST_F(Honest, ResumeAfterAnError) {
 
 TEST_F(Honest, ResumeOfTheOtherHalf) {
   folder.write("own.toml", base_experiment());
-  done(folder, "run own.toml --filter -4- -o results");
+  done("run own.toml --filter -4- -o results");
   expect_one_more(resume());
 }
 
@@ -123,7 +119,7 @@ TEST_F(Honest, RepeatedInProcesses) {
 
 TEST_F(Honest, TwoRunsOfOneScene) {
   take("base");
-  const Outcome second = done(folder, "run own.toml --filter -4- -o second");
+  const Outcome second = done("run own.toml --filter -4- -o second");
   expect_whole({path("results"), path("second")});
   EXPECT_EQ(cells_in({path("results"), path("second")}).front().timings.processes.size() +
                 cells_in({path("results"), path("second")}).back().timings.processes.size(),
@@ -132,10 +128,9 @@ TEST_F(Honest, TwoRunsOfOneScene) {
 
 TEST_F(Honest, MergedShards) {
   folder.write("own.toml", base_experiment());
-  for (const char* options : {"--shard 0/2 -o s0", "--shard 1/2 -o s1"}) {
-    done(folder, std::string("run own.toml --host nodes ") + options);
-  }
-  done(folder, "merge results s0 s1");
+  for (const char* options : {"--shard 0/2 -o s0", "--shard 1/2 -o s1"})
+    done(std::string("run own.toml --host nodes ") + options);
+  done("merge results s0 s1");
   EXPECT_EQ(rows().size(), 2U);
   expect_whole({path("results")});
 }
@@ -151,9 +146,9 @@ TEST_F(Honest, MeshFilesAndACoatOfOnesOwn) {
 TEST_F(Honest, ChangedByTheCommandLine) {
   folder.write("own.toml", base_experiment());
   const std::string command = "run own.toml --filter -4- --set fur.length=0.12 ";
-  done(folder, command + "-o results");
+  done(command + "-o results");
   expect_whole({path("results")});
-  done(folder, command + "--resume results");
+  done(command + "--resume results");
 }
 
 TEST_F(Honest, WetFur) {
@@ -190,7 +185,7 @@ TEST_F(Honest, SolverWithoutAPicture) {
 TEST_F(Honest, OpenGlBaseline) {
   folder.write("own.toml", of_torus("variant = [\"opengl\"]\nlayers = [4]") +
                                "[variant.opengl]\npipeline = \"shells+opengl\"\n");
-  done(folder, "run own.toml -o results");
+  done("run own.toml -o results");
   if (rows().front().status == Status::unsupported) GTEST_SKIP() << rows().front().reason;
   expect_whole({path("results")});
   EXPECT_TRUE(rows().front().identity.contains(renderer_part));

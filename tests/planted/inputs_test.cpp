@@ -1,12 +1,9 @@
 // Tests that pelage detects a changed input: each test changes an input of an experiment after some rows were
 // measured. The first table of docs/results.md lists these tests.
-#include "harness/picture/image_io.hpp"
 #include "tests/planted/runs.hpp"
 
 namespace pelage::planted {
 namespace {
-
-namespace fs = std::filesystem;
 
 TEST_F(Planted, EditedScene) {
   take("base");
@@ -36,7 +33,7 @@ TEST_F(Planted, EditedBufferOfAMesh) {
 
 TEST_F(Planted, EditedTexture) {
   take("files");
-  write_picture(path("own.png"), {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.1F, 0.4F, 0.3F, 1))});
+  write_red(path("own.png"), 0.1F);
   refused(resume(), "measured something else: scene was ");
 }
 
@@ -44,10 +41,10 @@ TEST_F(Planted, EditedTuning) {
   folder.write("own.toml", base_experiment());
   folder.write("mine.toml", "SIMULATE_GROUP = 16\n");
   const std::string command = "run own.toml --filter -4- --tuning mine.toml ";
-  done(folder, command + "-o results");
+  done(command + "-o results");
   EXPECT_EQ(rows().front().tuning.at("SIMULATE_GROUP"), 16);
   folder.write("mine.toml", "SIMULATE_GROUP = 64\n");
-  refused(cli::pelage(folder, command + "--resume results"), "measured something else: tuning was ");
+  refused(pelage(command + "--resume results"), "measured something else: tuning was ");
 }
 
 TEST_F(Planted, EditedLimitsOfSampling) {
@@ -56,18 +53,16 @@ TEST_F(Planted, EditedLimitsOfSampling) {
   refused(resume(), "measured something else: sampling was ");
 }
 
-// The test changes environment variables of pelage and PoCL. After each change, pelage must refuse to resume
-// the run, because it must regard the device as another device. If the user has not set POCL_AFFINITY, pelage
-// sets it to 1, and PoCL then pins its threads to CPU cores.
+// With each of these environment variables, pelage must regard the device as another one. If the user has not
+// set POCL_AFFINITY, pelage sets it to 1, and PoCL then pins its threads to CPU cores.
 TEST_F(Planted, ChangedEnvironment) {
   take("base");
   if (!rows().front().provenance.contains("pocl_affinity"))
     GTEST_SKIP() << "the device is not PoCL's CPU device";
   // A device with one lane has another default mapping, which would be another variant with rows of its own.
   const std::string grouped = "run own.toml --filter -4- --mapping group ";
-  done(folder, grouped + "-o grouped");
-  refused(cli::pelage(folder, grouped + "--resume grouped", "PELAGE_LANES=1"),
-          "measured something else: device was ");
+  done(grouped + "-o grouped");
+  refused(pelage(grouped + "--resume grouped", "PELAGE_LANES=1"), "measured something else: device was ");
   refused(resume("", "POCL_AFFINITY=0"), "measured something else: device was ");
   refused(resume("", "POCL_WORK_GROUP_METHOD=cbs"), "measured something else: device was ");
 }
@@ -78,7 +73,7 @@ TEST_F(Planted, RowsOfAnotherScene) {
   EXPECT_EQ(kept_apart({path("results"), path("second")}), std::vector<std::string>{"scene"});
   for (const Cell& cell : cells_in({path("results"), path("second")}))
     EXPECT_EQ(cell.timings.processes.size(), 1U);
-  expect_has(done(folder, "report results second -o page").err,
+  expect_has(done("report results second -o page").err,
              "2 of 4 rows have the same names (case, variant, device and so on) as other rows but measured "
              "different inputs (scene); their files are in the folder inputs-2");
   for (const char* table : {"own", "all-phases"})
@@ -88,17 +83,17 @@ TEST_F(Planted, RowsOfAnotherScene) {
 TEST_F(Planted, MergedRunsOfDifferentScenes) {
   take("base");
   take("other", "second");
-  refused(cli::pelage(folder, "merge all results second"), "the rows measured different inputs: scene was ");
+  refused(pelage("merge all results second"), "the rows measured different inputs: scene was ");
   EXPECT_FALSE(fs::exists(path("all")));
 }
 
 TEST_F(Planted, SettingsOfTheCommandLine) {
   take("base");
-  const Outcome changed = done(folder, "run own.toml --filter -4- --set fur.length=0.12 -o second");
+  const Outcome changed = done("run own.toml --filter -4- --set fur.length=0.12 -o second");
   const std::vector<Cell> cells = cells_in({path("results"), path("second")});
   ASSERT_EQ(cells.size(), 3U) << "the changed case is no part of the case with the same name";
   for (const Cell& cell : cells) EXPECT_EQ(cell.timings.processes.size(), 1U);
-  done(folder, "run own.toml --filter -4- --resume second");
+  done("run own.toml --filter -4- --resume second");
   EXPECT_EQ(rows("second").size(), 2U) << "the unchanged case is another case";
 }
 

@@ -1,6 +1,4 @@
 // Tests that docs/results.md lists exactly the tests of this folder.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <regex>
 #include <vector>
@@ -10,7 +8,6 @@
 namespace pelage::planted {
 namespace {
 
-/// Returns the names of the tests of a suite in this program.
 std::vector<std::string> tests_of(const std::string& suite) {
   std::vector<std::string> names;
   const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();

@@ -1,19 +1,18 @@
 // Tests that pelage detects faulty rows: copies, incomplete lines, damaged lines, and changed rows with a
 // new, correct checksum. The first table of docs/results.md lists these tests.
-#include <cmath>
+
+#include <algorithm>
 
 #include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::planted {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST_F(Planted, RowCopiedWithinAJournal) {
   take("base");
-  const std::string text = folder.read(fs::relative(journal(), folder.path()).string());
+  const std::string text = folder.read(fs::relative(journal(), folder.path).string());
   std::ofstream(journal(), std::ios::app | std::ios::binary) << text.substr(0, text.find('\n') + 1);
   expect_unreadable(":3: damaged: second row with the key own|");
 }
@@ -39,14 +38,14 @@ TEST_F(Planted, CopyThatClaimsToBeAnotherRun) {
   take("base");
   take("base", "copy");
   reseal([](Row& row) { row.run_id += "1", row.repeat = 1; }, "copy");
-  refused(cli::pelage(folder, "export results copy"), "their 6 frame times are equal");
+  refused(pelage("export results copy"), "their 6 frame times are equal");
 }
 
 TEST_F(Planted, CopyWithChangedTimes) {
   take("base");
   take("base", "copy");
   reseal(slow_down, "copy");
-  refused(cli::pelage(folder, "export results copy"), "but the two rows differ");
+  refused(pelage("export results copy"), "but the two rows differ");
 }
 
 TEST_F(Planted, RowOfAnotherCase) {
@@ -68,18 +67,17 @@ TEST_F(Planted, TornLastLine) {
   EXPECT_EQ(results.rows.size(), 1U);
   ASSERT_EQ(results.left_out.size(), 1U);
   expect_has(results.left_out.front().reason, "is not complete");
-  expect_has(cli::pelage(folder, "export results").err, "is not complete");
-  done(folder, "report results -o page");
+  expect_has(pelage("export results").err, "is not complete");
+  done("report results -o page");
   for (const char* file :
        {"stdout", "page/tables/left-out.csv", "page/tables/left-out.tex", "page/index.html"}) {
-    expect_has(folder.read(file), "is not complete");
-    expect_has(folder.read(file), "cases without a row: 1 of 2");
+    expect_has(folder.read(file), {"is not complete", "cases without a row: 1 of 2"});
   }
 }
 
 TEST_F(Planted, FlippedLine) {
   take("base");
-  folder.edit(fs::relative(journal(), folder.path()).string(), "\"wall_ms\":[", "\"wall_ms\":[1");
+  folder.edit(fs::relative(journal(), folder.path).string(), "\"wall_ms\":[", "\"wall_ms\":[1");
   expect_unreadable(":1: damaged: the checksum does not match the row");
 }
 
@@ -127,6 +125,14 @@ Times& wall(Row& row) {
   return row.samples["frame"].wall_ms;
 }
 
+void add(Times& times, double ms) {
+  for (double& time : times) time += ms;
+}
+
+Check& psnr_of(Row& row) {
+  return *std::find_if(row.check.begin(), row.check.end(), [](const Check& c) { return c.metric == "psnr"; });
+}
+
 std::vector<Contradiction> contradictions() {
   return {
       {"no times", [](Row& r) { r.samples.clear(); }, "it has no times of frames"},
@@ -142,17 +148,9 @@ std::vector<Contradiction> contradictions() {
       {"a phase that is longer than the frame", [](Row& r) { r.samples["raster"].event_ms[0] += 1e6; },
        "the event times of the phases of a frame sum to"},
       {"event times above the wall time",
-       [](Row& r) {
-         for (std::size_t i = 0; i < 6; ++i) {
-           r.samples["raster"].event_ms[i] += 1e6;
-           r.samples["frame"].event_ms[i] += 1e6;
-         }
-       },
+       [](Row& r) { add(r.samples["raster"].event_ms, 1e6), add(r.samples["frame"].event_ms, 1e6); },
        "the median event time of a frame is"},
-      {"more CPU time than the CPUs have",
-       [](Row& r) {
-         for (double& ms : r.samples["frame"].cpu_ms) ms += 1e9;
-       },
+      {"more CPU time than the CPUs have", [](Row& r) { add(r.samples["frame"].cpu_ms, 1e9); },
        "the median CPU time of the phase frame is"},
       {"converged after two frames",
        [](Row& r) {
@@ -170,23 +168,11 @@ std::vector<Contradiction> contradictions() {
        "the metric fragments_per_s is"},
       {"a higher rate of fragments", [](Row& r) { r.metrics["fragments_per_s"].value *= 2; },
        "the metric fragments_per_s is"},
-      {"times of a failed case",
-       [](Row& r) {
-         r.status = Status::failed_check;
-         r.reason = "psnr";
-       },
+      {"times of a failed case", [](Row& r) { r.status = Status::failed_check, r.reason = "psnr"; },
        "the row has the status failed-check, but it has times"},
-      {"a weaker limit",
-       [](Row& r) {
-         for (Check& check : r.check)
-           if (check.metric == "psnr") check.value = 30, check.limit = 20;
-       },
+      {"a weaker limit", [](Row& r) { psnr_of(r).value = 30, psnr_of(r).limit = 20; },
        "has the limit >= 20, which is weaker than pelage's"},
-      {"a limit in the other direction",
-       [](Row& r) {
-         for (Check& check : r.check)
-           if (check.metric == "psnr") check.value = 30, check.at_least = false;
-       },
+      {"a limit in the other direction", [](Row& r) { psnr_of(r).value = 30, psnr_of(r).at_least = false; },
        "has the limit <= 60, which is weaker than pelage's"},
       {"a scene that is no hash", [](Row& r) { r.identity["scene"] = "torus"; },
        "part scene is 'torus', not a hash"},

@@ -9,11 +9,10 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/record/journal.hpp"
 #include "harness/report/input_sets.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage::planted {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int around = 24, across = 12;
 
@@ -51,26 +50,13 @@ void write_files(const Folder& folder) {
   const std::vector<std::uint16_t> faces = torus_faces();
   std::string obj;
   for (std::size_t i = 0; i < points.size(); i += 3)
-    obj += "v " + std::to_string(points[i]) + " " + std::to_string(points[i + 1]) + " " +
-           std::to_string(points[i + 2]) + "\n";
+    obj += fmt::format("v {:f} {:f} {:f}\n", points[i], points[i + 1], points[i + 2]);
   for (std::size_t i = 0; i < faces.size(); i += 3)
-    obj += "f " + std::to_string(faces[i] + 1) + " " + std::to_string(faces[i + 1] + 1) + " " +
-           std::to_string(faces[i + 2] + 1) + "\n";
+    obj += fmt::format("f {} {} {}\n", faces[i] + 1, faces[i + 1] + 1, faces[i + 2] + 1);
   folder.write("own.obj", obj);
   folder.write("own.bin", bytes_of(points) + bytes_of(faces));
-  const std::string all = std::to_string(4 * points.size()), rest = std::to_string(2 * faces.size()),
-                    both = std::to_string(4 * points.size() + 2 * faces.size());
-  folder.write(
-      "buffered.gltf",
-      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":)" +
-          both + R"(,"uri":"own.bin"}],"bufferViews":[{"buffer":0,"byteLength":)" + all +
-          R"(},{"buffer":0,"byteOffset":)" + all + R"(,"byteLength":)" + rest +
-          R"(}],"accessors":[{"bufferView":0,"componentType":5126,"count":)" +
-          std::to_string(points.size() / 3) +
-          R"(,"type":"VEC3","min":[-2,-2,-2],"max":[2,2,2]},{"bufferView":1,"componentType":5123,"count":)" +
-          std::to_string(faces.size()) + R"(,"type":"SCALAR"}]})");
-  write_picture(folder.path() / "own.png", {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.5F, 0.4F, 0.3F, 1))});
+  folder.write("buffered.gltf", test::gltf_text("own.bin", points.size() / 3, faces.size()));
+  write_red(folder.path / "own.png", 0.5F);
   folder.write("own.toml", experiment("model = [\"own.obj\", \"buffered.gltf\"]\nsize = [\"320x240\"]",
                                       "fur.layers = 4\ncoat.image = \"own.png\""));
 }
@@ -85,7 +71,7 @@ const Folder& made(const std::string& run) {
     write_files(*folder);
   else
     folder->write("own.toml", base_experiment(run == "other" ? "0.12" : "0.1"));
-  done(*folder, "run own.toml -o results");
+  cli::done(*folder, "run own.toml -o results");
   return *folder;
 }
 
@@ -96,7 +82,7 @@ std::string base_experiment(const std::string& length) {
 }
 
 void Runs::take(const std::string& run, const std::string& results) {
-  for (const auto& entry : fs::directory_iterator(made(run).path()))
+  for (const auto& entry : fs::directory_iterator(made(run).path))
     fs::copy(entry.path(),
              path(entry.path().filename() == "results" ? results : entry.path().filename().string()),
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
@@ -144,9 +130,13 @@ void Runs::expect_apart(const std::function<void(Row&)>& change, const std::stri
 }
 
 void Runs::expect_unreadable(const std::string& text) {
-  refused(cli::pelage(folder, "export results"), text);
-  refused(cli::pelage(folder, "report results -o page"), text);
+  refused(pelage("export results"), text);
+  refused(pelage("report results -o page"), text);
   refused(resume(), text);
+}
+
+void write_red(const fs::path& file, float red) {
+  write_picture(file, {2, 2, std::vector<glm::vec4>(4, glm::vec4(red, 0.4F, 0.3F, 1))});
 }
 
 void slow_down(Row& row) {

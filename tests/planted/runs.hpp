@@ -1,6 +1,4 @@
-// Functions that the tests of this folder share. They make short runs of the pelage program, copy the results
-// of a run into a temporary folder of the test, and change files and rows there. docs/results.md lists the
-// tests.
+// Short runs of the pelage program, and copies of them, whose files and rows the tests change.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -13,13 +11,7 @@
 
 namespace pelage::planted {
 
-using cli::done;
-using cli::expect_has;
-using cli::experiment;
-using cli::Folder;
-using cli::has;
-using cli::of_torus;
-using cli::Outcome;
+using namespace cli;
 
 /// Returns the experiment of the run "base": two cases, which draw a torus with 4 and with 8 layers of fur in
 /// wind. `length` is the length of the fur.
@@ -31,18 +23,16 @@ std::string base_experiment(const std::string& length = "0.1");
 /// - other: base_experiment("0.12"), with longer fur
 /// - files: an experiment with the mesh files own.obj and buffered.gltf (buffer: own.bin) and the texture
 ///   own.png
-class Runs : public ::testing::Test {
- protected:
+struct Runs : InFolder {
   /// Copies the run into the folder. Its results are copied into a subfolder with the name `results`.
   void take(const std::string& run, const std::string& results = "results");
   Outcome resume(const std::string& options = "", const std::string& environment = "") {
-    return cli::pelage(folder, options + " run own.toml --resume results", environment);
+    return pelage(options + " run own.toml --resume results", environment);
   }
-  std::filesystem::path path(const std::string& name) const { return folder.path() / name; }
+  std::filesystem::path path(const std::string& name) const { return folder.path / name; }
   /// Copies the kernel sources into the subfolder `mine`, and replaces `from` by `to` in one of the copied
   /// files.
   void edit_kernel(const std::string& file, const std::string& from, const std::string& to) const;
-  /// Returns the only journal (.jsonl file) in a folder of results.
   std::filesystem::path journal(const std::string& results = "results") const;
   std::vector<Row> rows(const std::string& results = "results") const;
   /// Applies `change` to each row of the journal, and writes the rows with correct checksums.
@@ -55,17 +45,18 @@ class Runs : public ::testing::Test {
 
   /// Expects that every command that reads the results refuses them, with a message that contains `text`.
   void expect_unreadable(const std::string& text);
-
-  Folder folder;
 };
 
 /// The test suite for the first table of docs/results.md.
-class Planted : public Runs {};
+struct Planted : Runs {};
 
 /// Expects that pelage refused its input. Lines about the preparation of a mesh may precede the message.
 inline void refused(const Outcome& outcome, const std::string& text) {
-  cli::expect_refused(outcome, text, true);
+  expect_refused(outcome, text, true);
 }
+
+/// Writes a picture of 2 x 2 pixels with this amount of red.
+void write_red(const std::filesystem::path& file, float red);
 
 /// Makes the times of the row's frames 1.5 times as long.
 void slow_down(Row& row);

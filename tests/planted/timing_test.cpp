@@ -1,17 +1,14 @@
 // Tests that pelage detects wrong times, and pictures that do not show the timed frames. The first table of
 // docs/results.md lists these tests.
 #include "harness/measure/runner.hpp"
-#include "harness/picture/image_io.hpp"
 #include "harness/subjects/case_identity.hpp"
 #include "harness/subjects/pipelines.hpp"
 #include "tests/planted/runs.hpp"
 #include "tests/support/busy.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::planted {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A subject draws and times the frames of one case. This class passes all calls to a real subject. Derived
 /// classes override one function to simulate a fault.
@@ -31,7 +28,7 @@ class Faulty : public Subject {
 /// The constructor of `Fault` gets the real subject and then `arguments`.
 template <class Fault, class... Arguments>
 Row time_faulty(const Folder& folder, Arguments... arguments) {
-  const Experiment own = read_experiment(folder.path() / "own.toml");
+  const Experiment own = read_experiment(folder.path / "own.toml");
   const auto context = make_context(cl::choose_device(""), own, {}, [](const std::string&) {});
   RunPlan plan;
   plan.run_id = "run";
@@ -53,7 +50,7 @@ Row row_with_kernels(const Folder& folder) {
   const Outcome outcome =
       cli::pelage(folder, "--kernels mine run own.toml --filter -4- --mapping tile -o results");
   EXPECT_EQ(outcome.code, 1) << outcome.err;
-  const std::vector<FoundRow> rows = read_results({(folder.path() / "results").string()});
+  const std::vector<FoundRow> rows = read_results({(folder.path / "results").string()});
   EXPECT_EQ(rows.size(), 1U);
   EXPECT_TRUE(rows.front().row.samples.empty());
   return rows.front().row;
@@ -85,10 +82,9 @@ TEST_F(Planted, PictureFileOfAnotherRun) {
     ASSERT_NE(folder.read("results" + name), folder.read("second" + name));
     fs::copy_file(path("second" + name), path("results" + name), fs::copy_options::overwrite_existing);
   }
-  done(folder, "report results -o page");
-  EXPECT_TRUE(has(folder.read("page/tables/left-out.csv"),
-                  "picture: the file is not the picture that the row recorded"))
-      << folder.read("page/tables/left-out.csv");
+  done("report results -o page");
+  expect_has(folder.read("page/tables/left-out.csv"),
+             "picture: the file is not the picture that the row recorded");
   EXPECT_TRUE(fs::is_empty(path("page/images")));
 }
 
@@ -126,8 +122,8 @@ struct Editor : Faulty {
 
 TEST_F(Planted, TextureEditedDuringTheRun) {
   folder.write("own.toml", of_torus("layers = [4]", "coat.image = \"own.png\""));
-  write_picture(path("own.png"), {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.5F, 0.4F, 0.3F, 1))});
-  write_picture(path("new.png"), {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.1F, 0.4F, 0.3F, 1))});
+  write_red(path("own.png"), 0.5F);
+  write_red(path("new.png"), 0.1F);
   const Row row = time_faulty<Editor>(folder, path("own.png"), path("new.png"));
   EXPECT_EQ(row.status, Status::error);
   expect_has(row.reason, "but scene_hash of the row gives");
@@ -187,7 +183,7 @@ TEST_F(Planted, CompileTimeInside) {
 /// be shorter than one hour, which shows that the time contains no jump.
 TEST_F(Planted, WallClockThatSteps) {
   folder.write("own.toml", base_experiment());
-  done(folder, "run own.toml --filter -4- -o results",
+  done("run own.toml --filter -4- -o results",
        "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0 LD_PRELOAD='" PELAGE_CLOCK "'");
   const Row row = rows().front();
   EXPECT_EQ(row.status, Status::ok);
@@ -205,7 +201,7 @@ TEST_F(Planted, LoadedMachine) {
   folder.edit("own.toml", "warm_up_s = 0.0", "warm_up_s = 1.0");
   {
     const test::BusyMachine busy;
-    expect_has(done(folder, "run own.toml --filter -4- -o results").err,
+    expect_has(done("run own.toml --filter -4- -o results").err,
                "pelage: warning: torus_24x12-4-320x240: other processes took ");
   }
   EXPECT_FALSE(rows().front().samples.at("frame").cpu_ms.empty());
@@ -213,10 +209,10 @@ TEST_F(Planted, LoadedMachine) {
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_EQ(cells.front().status, Status::ok);
   EXPECT_TRUE(cells.front().contended);
-  done(folder, "report results -o page");
+  done("report results -o page");
   for (const char* file : {"stdout", "page/tables/own.tex", "page/index.html"})
     expect_has(folder.read(file), "! other processes used more than 10");
-  expect_has(cli::pelage(folder, "export results").out, ",contended,");
+  expect_has(pelage("export results").out, ",contended,");
 }
 
 }  // namespace

@@ -1,22 +1,20 @@
-// Runs tests of this binary with other OpenCL compilers than the default one. Each test runs in a child
-// process whose environment selects the compiler. A mapping is a way to distribute the pixels over work-items
-// (docs/machines.md).
+// Runs tests of this binary with other OpenCL compilers than the default one, each in a child process whose
+// environment selects the compiler.
 #pragma once
 #include <fmt/format.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <ostream>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "harness/cl/device.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage::portability {
 
@@ -59,34 +57,20 @@ inline std::string obstacle(const Place& place, bool slow) {
   return {};
 }
 
-/// A temporary folder for the files of a child process. The destructor deletes it.
-class Elsewhere {
- public:
-  Elsewhere() {
-    std::string name = (std::filesystem::temp_directory_path() / "pelage-elsewhere-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) std::abort();
-    folder_ = name;
-  }
-  ~Elsewhere() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Elsewhere(const Elsewhere&) = delete;
-  Elsewhere& operator=(const Elsewhere&) = delete;
-
+/// A temporary folder for the files of a child process.
+struct Elsewhere : test::Folder {
   /// Runs the disabled test `test` with the compiler `place` for at most `seconds`. Returns an empty string
   /// if the test passed, else its exit status and the end of its output.
   std::string run(const Place& place, const std::string& test, int seconds,
                   const std::string& variables = "") const {
-    const std::string said = (folder_ / "said").string();
+    const std::string said = (path / "said").string();
     const std::string command = fmt::format(
         "ASAN_OPTIONS=detect_leaks=0 {} {} PELAGE_DEVICE='{}' PELAGE_TEST_FOLDER='{}' timeout {} '{}' "
         "--gtest_filter='{}' --gtest_also_run_disabled_tests >'{}' 2>&1",
-        place.environment, variables, place.platform, folder_.string(), seconds,
+        place.environment, variables, place.platform, path.string(), seconds,
         std::filesystem::read_symlink("/proc/self/exe").string(), test, said);
     const int status = std::system(command.c_str());
-    std::ifstream stream(said);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::string text = test::text_of(said);
     // PoCL prints this message if it does not know the method in POCL_WORK_GROUP_METHOD. PoCL then uses its
     // default method, so the child process did not test the method of `place`.
     if (text.find("Unknown work group generation method") != std::string::npos)
@@ -100,19 +84,15 @@ class Elsewhere {
   }
 
   template <class T>
-  std::vector<T> read(const std::string& name) const {
-    std::ifstream stream(folder_ / name, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::vector<T> values_of(const std::string& name) const {
+    const std::string bytes = read(name);
     std::vector<T> values(bytes.size() / sizeof(T));
     std::copy_n(bytes.data(), values.size() * sizeof(T), reinterpret_cast<char*>(values.data()));
     return values;
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
-/// Writes values to a file that Elsewhere::read() reads. The child process calls this function.
+/// Writes values to a file that Elsewhere::values_of() reads. The child process calls this function.
 template <class T>
 void leave(const std::string& name, const std::vector<T>& values) {
   const char* folder = std::getenv("PELAGE_TEST_FOLDER");

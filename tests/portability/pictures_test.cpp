@@ -1,11 +1,8 @@
-// Draws the same pictures with every OpenCL compiler on this machine and with every mapping. A mapping is a
-// way to distribute the pixels over work-items. The pictures must agree with the reference, and must cover
-// the same pixels as the pictures of this machine's default device.
+// Draws the same pictures with every OpenCL compiler on this machine and with every mapping
+// (docs/machines.md).
 #include "tests/support/pictures.hpp"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/shells/opencl/shells.hpp"
@@ -22,10 +19,8 @@ struct Sight {
   std::shared_ptr<const FrameInput> input;
 };
 
-/// Returns three scenes with combed, curly and wet fur in wind. Each picture has 160 x 100 pixels, and the
-/// fur has 6 layers. The first scene shows a torus with the shading model "curling". The second scene shows
-/// the torus with the shading model "wet". The third scene shows a square. Its camera is so near to the
-/// square that triangles of the square cross the near plane and the guard band.
+/// Returns frames of 160 x 100 pixels and 6 layers: a torus with each shading model, and a square so near to
+/// the camera that its triangles cross the near plane and the guard band.
 std::vector<Sight> sights() {
   Scene near = synthetic::lively_scene();
   near.fur.length = .05f;
@@ -81,7 +76,7 @@ TEST_P(Pictures, AreThoseOfThisMachinesDeviceAndOfTheReference) {
     const Picture reference = drawn_by_reference(*sight.input),
                   here = drawn_by(cl::choose_device(""), *sight.input, "");
     Picture there = here;
-    there.pixel = elsewhere.read<glm::vec4>(sight.name);
+    there.pixel = elsewhere.values_of<glm::vec4>(sight.name);
     ASSERT_EQ(there.pixel.size(), here.pixel.size());
     EXPECT_EQ(covered_in_one_only(there, here), 0u);
     EXPECT_EQ(covered_in_one_only(there, reference), 0u);

@@ -56,7 +56,7 @@ TEST_P(Topologies, MoveAsTheReferenceDoes) {
         topology, springs::reference::after({topology, dynamics}, rest, 0, steps));
     EXPECT_GT(largest_difference(springs::reference::offsets(topology, rest), offsets), 0.01)
         << "something moved";
-    const double error = largest_difference(elsewhere.read<glm::vec3>(file_of(kind, solver)), offsets);
+    const double error = largest_difference(elsewhere.values_of<glm::vec3>(file_of(kind, solver)), offsets);
     EXPECT_LT(error, tolerance::stick_top * double(fur_length)) << file_of(kind, solver);
     worst = std::max(worst, error);
   }

@@ -21,9 +21,7 @@ glm::vec3 project(const Camera& c, glm::vec3 p) {
 }
 
 TEST(Camera, APixelsRayHitsThePointThatFellOnIt) {
-  CameraScene scene;
-  scene.framed = false;
-  scene.target = {0.1f, -0.2f, 0.05f};
+  CameraScene scene{.framed = false, .target = {0.1f, -0.2f, 0.05f}};
   const Camera c = make_camera(scene, {}, {}, 0);
   EXPECT_EQ(c.eye, scene.eye);
   const Random random(3, 0);
@@ -38,10 +36,7 @@ TEST(Camera, APixelsRayHitsThePointThatFellOnIt) {
 }
 
 TEST(Camera, RightIsRightAndDownIsDown) {
-  CameraScene scene;
-  scene.framed = false;
-  scene.eye = {0, 0, 3};
-  scene.near = 0.02f;
+  CameraScene scene{.framed = false, .eye = {0, 0, 3}, .near = 0.02f};
   const ImageScene image;
   const Camera c = make_camera(scene, image, {}, 0);
   EXPECT_GT(project(c, {1, 0, 0}).x, 1.0f);
@@ -65,12 +60,8 @@ TEST(Camera, FramesTheFurredModel) {
   for (const glm::ivec2 size : {glm::ivec2(800, 600), glm::ivec2(320, 200), glm::ivec2(400, 900)})
     for (const glm::vec3 direction : {glm::vec3(1.3f, 1.15f, 2.35f), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0)})
       for (const float fov : {10.0f, 37.0f, 100.0f}) {
-        CameraScene scene;
-        scene.direction = direction;
-        scene.fov = fov;
-        ImageScene image;
-        image.width = size.x;
-        image.height = size.y;
+        CameraScene scene{.direction = direction, .fov = fov};
+        ImageScene image{.width = size.x, .height = size.y};
         const float margin = 0.02f;
         const Camera c = make_camera(scene, image, tips, margin);
         float x0 = 1e9f, x1 = -1e9f, y0 = 1e9f, y1 = -1e9f;
@@ -94,9 +85,7 @@ TEST(Camera, FramesTheFurredModel) {
 
 TEST(Camera, FramesASmallThingFromTwiceTheNearPlane) {
   const std::vector<glm::vec3> points{{-0.01f, 0, 0.02f}, {0.01f, 0.01f, -0.02f}, {0, -0.01f, 0}};
-  CameraScene scene;
-  scene.direction = {0, 0, 1};
-  scene.near = 0.5f;
+  CameraScene scene{.direction = {0, 0, 1}, .near = 0.5f};
   const Camera c = make_camera(scene, {}, points, 0);
   float nearest = 1e9f;
   for (const glm::vec3& p : points) nearest = std::min(nearest, project(c, p).z);
@@ -104,10 +93,7 @@ TEST(Camera, FramesASmallThingFromTwiceTheNearPlane) {
 }
 
 TEST(Camera, LooksStraightDown) {
-  CameraScene scene;
-  scene.framed = false;
-  scene.eye = {0, 2, 0};
-  scene.up = {0, 1, 0};
+  CameraScene scene{.framed = false, .eye = {0, 2, 0}, .up = {0, 1, 0}};
   const Camera c = make_camera(scene, {}, {}, 0);
   EXPECT_NEAR(project(c, {0, 0, 0}).z, 2.0f, 1e-6f);
   EXPECT_NEAR(glm::length(c.ray_dx), c.pixel, 1e-9f);

@@ -1,7 +1,5 @@
 #include "harness/prepare/coat.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>

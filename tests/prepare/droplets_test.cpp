@@ -1,7 +1,5 @@
 #include "harness/prepare/droplets.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

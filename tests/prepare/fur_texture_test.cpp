@@ -26,7 +26,6 @@ double coverage(const FurTexture& t, int level, int layer, int x, int y) {
   return t.level[std::size_t(level)][i][0] / 255.0;
 }
 
-/// Returns the mean of coverage() over a slice.
 double mean_coverage(const FurTexture& t, int level, int layer) {
   const int side = t.size >> level;
   double sum = 0;
@@ -90,9 +89,8 @@ Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double a
   return {mean.light / texels, mean.opacity / texels};
 }
 
-/// Returns the mean brightness and the mean opacity over several view directions. The angle between view ray
-/// and strand is 0 to 63 degrees. In the picture of a furred sphere, each angle occurs in a certain area. The
-/// weight of an angle is approximately proportional to this area.
+/// Returns the means over view directions whose angle to the strands is 0 to 63 degrees, weighted
+/// approximately by the area that each angle has in the picture of a furred sphere.
 Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   Seen sum;
   double weight = 0;
@@ -336,9 +334,8 @@ TEST(FurStrands, RootsAreEvenlySpread) {
   for (const int c : count) EXPECT_NEAR(c, 5000 / 16.0, 25);
 }
 
-// A slice of the fur texture represents the slab of fur between this slice and the next lower slice. A strand
-// may end inside the slab and fill only a fraction of its height. The coverage of the strand in the slice
-// must be this fraction.
+// A slice represents the slab of fur below it. A strand that ends inside the slab must have the fraction of
+// the slab that it fills as its coverage.
 TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
   FurScene fur = cylinder(12);
   fur.least_length = 0.3f;

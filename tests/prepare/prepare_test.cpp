@@ -1,11 +1,7 @@
 #include "harness/prepare/prepare.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "harness/error.hpp"
 #include "harness/mesh/quality.hpp"
@@ -126,10 +122,10 @@ TEST(SceneMesh, ZUpAddsARotationAboutX) {
 
 TEST(SceneMesh, HasTheFilesOwnMapWhereTheSceneAsksForIt) {
   const test::Folder folder;
-  const std::filesystem::path file = folder.path / "mesh.obj";
-  std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt 0.75 0.5\n"
-                         "vt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n";
-  Scene scene = of_model(file.string());
+  Scene scene =
+      of_model(folder.write("mesh.obj",
+                            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt 0.75 0.5\n"
+                            "vt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n"));
   SceneMeshes meshes;
   const auto computed = meshes.of(scene, {});
   EXPECT_EQ(std::count(computed->uv.begin(), computed->uv.end(), glm::vec2(0.75f, 0.5f)), 0);
@@ -151,10 +147,9 @@ TEST(SceneMesh, HasAMoreEvenMapWhereTheSceneAsksForIt) {
 
 TEST(SceneMesh, HasTheComponentsTheSceneAsksFor) {
   const test::Folder folder;
-  const std::filesystem::path file = folder.path / "two.off";
-  std::ofstream(file) << "OFF\n7 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 0\n4 0 0\n3 1 0\n"
-                         "3 0 1 2\n3 0 2 3\n3 4 5 6\n";
-  Scene scene = of_model(file.string());
+  Scene scene = of_model(folder.write("two.off",
+                                      "OFF\n7 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 0\n4 0 0\n3 1 0\n"
+                                      "3 0 1 2\n3 0 2 3\n3 4 5 6\n"));
   SceneMeshes meshes;
   EXPECT_EQ(meshes.of(scene, {})->triangle.size(), 3u);
   scene.mesh.components = "largest";

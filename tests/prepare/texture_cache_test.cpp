@@ -1,18 +1,14 @@
 #include "harness/prepare/texture_cache.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/prepare/surface_map.hpp"
-#include "tests/mesh/temp_folder.hpp"
+#include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 class TextureCache : public ::testing::Test {
  protected:
@@ -23,15 +19,9 @@ class TextureCache : public ::testing::Test {
     coat_.texture = 64;
   }
 
-  std::vector<fs::path> files() const {
-    std::vector<fs::path> found;
-    if (fs::exists(textures()))
-      for (const auto& entry : fs::directory_iterator(textures())) found.push_back(entry.path());
-    return found;
-  }
-  fs::path textures() const { return folder_.path / "pelage" / "textures"; }
+  std::vector<fs::path> files() const { return test::files_below(folder_.path / "pelage" / "textures"); }
 
-  TempFolder folder_;
+  test::Folder folder_;
   std::shared_ptr<const Mesh> mesh_ = load_model("square", fresh());
   FurScene fur_;
   CoatScene coat_;

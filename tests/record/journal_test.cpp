@@ -1,7 +1,6 @@
 #include "harness/record/journal.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <zlib.h>
@@ -10,22 +9,22 @@
 #include <cerrno>
 #include <csignal>
 
-#include "harness/error.hpp"
 #include "tests/support/fake.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::sample_row;
-using test::text_of;
-using test::write_text;
+using namespace test;
 
-std::string error_of(const std::function<void()>& action) {
-  return test::refusal([&] { action(); }, "");
-}
+/// A journal's file in a temporary folder, and the lines of two rows.
+struct JournalFile : InFolder {
+  std::string resume_refusal() const {
+    return refusal([&] { Journal(file, Journal::Mode::resume); });
+  }
+  const fs::path file = folder.path / "j.jsonl";
+  const std::string first = to_line(sample_row("a")) + "\n", second = to_line(sample_row("b")) + "\n";
+};
 
 TEST(RowLine, ComesBackAsItWent) {
   const Row row = sample_row("a");
@@ -52,7 +51,7 @@ TEST(RowLine, CpuTimesMayBeMissing) {
   const Row row = row_from_line(body + fmt::format(",\"crc\":\"{:08x}\"}}", sum));
   EXPECT_EQ(row.samples.at("frame").wall_ms, std::vector<double>{1.5});
   EXPECT_TRUE(row.samples.at("frame").cpu_ms.empty());
-  EXPECT_EQ(to_line(row).find("cpu_ms"), std::string::npos);
+  expect_lacks(to_line(row), "cpu_ms");
 }
 
 TEST(RowLine, AnyChangedByteIsNoticed) {
@@ -60,7 +59,7 @@ TEST(RowLine, AnyChangedByteIsNoticed) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     std::string changed = line;
     changed[i] = char(changed[i] ^ 1);
-    EXPECT_FALSE(error_of([&] { row_from_line(changed); }).empty()) << i;
+    EXPECT_NE(refusal([&] { row_from_line(changed); }), "accepted") << i;
   }
 }
 
@@ -76,32 +75,28 @@ TEST(RowLine, OnlyOkRowsHaveATime) {
 TEST(RowLine, DriverTextNeedNotBeUtf8) {
   Row row = sample_row("a");
   row.reason = "log: \xff\xfe end";
-  EXPECT_NE(row_from_line(to_line(row)).reason.find("end"), std::string::npos);
+  expect_has(row_from_line(to_line(row)).reason, "end");
 }
 
-TEST(Journal, KeepsRowsAcrossProcesses) {
-  const Folder folder;
-  const fs::path file = folder.path / "deep" / "er" / "j.jsonl";
+TEST_F(JournalFile, KeepsRowsAcrossProcesses) {
+  const fs::path deep = folder.path / "deep" / "er" / "j.jsonl";
   {
-    Journal journal(file, Journal::Mode::fresh);
+    Journal journal(deep, Journal::Mode::fresh);
     journal.append(sample_row("a"));
     journal.append(sample_row("b"));
   }
-  Journal journal(file, Journal::Mode::resume);
+  Journal journal(deep, Journal::Mode::resume);
   ASSERT_EQ(journal.rows().size(), 2u);
   EXPECT_TRUE(journal.holds(row_key(sample_row("a"))));
   EXPECT_FALSE(journal.holds(row_key(sample_row("c"))));
 }
 
-TEST(Journal, ATornTailAtEveryByteIsDroppedOnResumeOnly) {
-  const Folder folder;
-  const std::string first = to_line(sample_row("a")) + "\n", second = to_line(sample_row("b")) + "\n";
-  const fs::path file = folder.path / "j.jsonl";
+TEST_F(JournalFile, ATornTailAtEveryByteIsDroppedOnResumeOnly) {
   for (std::size_t cut = 0; cut <= second.size(); ++cut) {
     write_text(file, first + second.substr(0, cut));
     const bool whole = cut == second.size();
     if (cut > 0 && !whole) {
-      EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::fresh); }).find("--resume"), std::string::npos);
+      expect_has(refusal([&] { Journal(file, Journal::Mode::fresh); }), "--resume");
       EXPECT_EQ(text_of(file).size(), first.size() + cut) << "a refusal must not change the file";
     }
     Journal journal(file, Journal::Mode::resume);
@@ -112,56 +107,73 @@ TEST(Journal, ATornTailAtEveryByteIsDroppedOnResumeOnly) {
   }
 }
 
-TEST(Journal, DamageInTheMiddleIsAnError) {
-  const Folder folder;
-  const std::string first = to_line(sample_row("a")) + "\n", second = to_line(sample_row("b")) + "\n";
-  const fs::path file = folder.path / "j.jsonl";
+TEST_F(JournalFile, DamageInTheMiddleIsAnError) {
   for (std::size_t i = 0; i < first.size(); i += 7) {
     std::string damaged = first + second;
     damaged[i] = char(damaged[i] ^ 4);
     write_text(file, damaged);
-    const std::string said = error_of([&] { Journal(file, Journal::Mode::resume); });
+    const std::string said = resume_refusal();
     EXPECT_NE(said.find("j.jsonl:1: damaged"), std::string::npos) << i << ": " << said;
     EXPECT_EQ(text_of(file), damaged);
   }
   write_text(file, first + "\n" + second);
-  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find(":2: damaged"), std::string::npos);
+  expect_has(resume_refusal(), ":2: damaged");
 }
 
-TEST(Journal, AKeyStandsOnce) {
-  const Folder folder;
-  const fs::path file = folder.path / "j.jsonl";
-  const std::string line = to_line(sample_row("a")) + "\n";
+TEST_F(JournalFile, AKeyStandsOnce) {
   {
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
-    EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("already contains the row"),
-              std::string::npos);
+    expect_has(refusal([&] { journal.append(sample_row("a")); }), "already contains the row");
     Row repeat = sample_row("a"), changed = sample_row("a");
     repeat.repeat = 1;
     changed.overrides["fur.length"] = "0.1";
     journal.append(repeat);
     journal.append(changed);
   }
-  write_text(file, line + line);
-  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("second row"), std::string::npos);
+  write_text(file, first + first);
+  expect_has(resume_refusal(), "second row");
 }
 
-TEST(Journal, OneWriterAtATime) {
-  const Folder folder;
-  const fs::path file = folder.path / "j.jsonl";
+TEST_F(JournalFile, OneWriterAtATime) {
   Journal journal(file, Journal::Mode::fresh);
-  EXPECT_NE(error_of([&] { Journal(file, Journal::Mode::resume); }).find("another pelage"),
-            std::string::npos);
+  expect_has(resume_refusal(), "another pelage");
 }
 
-TEST(Journal, ReadersPassOverATornTail) {
-  const Folder folder;
-  const fs::path file = folder.path / "j.jsonl";
-  const std::string first = to_line(sample_row("a")) + "\n";
+TEST_F(JournalFile, ReadersPassOverATornTail) {
   write_text(file, first + first.substr(0, 20));
   EXPECT_EQ(read_contents(file).rows.size(), 1u);
-  EXPECT_FALSE(error_of([&] { read_contents(folder.path / "absent.jsonl"); }).empty());
+  EXPECT_NE(refusal([&] { read_contents(folder.path / "absent.jsonl"); }), "accepted");
+}
+
+// A row that a newer version of pelage wrote is not damaged. The error message must not advise the user to
+// delete it.
+TEST_F(JournalFile, ARowOfANewerVersionIsNotCalledDamaged) {
+  Row row = sample_row("a");
+  row.schema = 4;
+  write_text(file, to_line(row) + "\n");
+  const std::string text = refusal([&] { read_contents(file); });
+  expect_has(text, "j.jsonl:1: the row has schema 4");
+  expect_lacks(text, "delete");
+}
+
+TEST_F(JournalFile, AFailedCaseRunsAgain) {
+  Row failed = sample_row("a");
+  failed.status = Status::error;
+  failed.reason = "disk full";
+  failed.samples.clear();
+  {
+    Journal journal(file, Journal::Mode::fresh);
+    journal.append(failed);
+    EXPECT_FALSE(journal.holds(row_key(failed)));
+    journal.append(failed);
+    journal.append(sample_row("a"));
+    EXPECT_TRUE(journal.holds(row_key(failed)));
+    EXPECT_NE(refusal([&] { journal.append(failed); }), "accepted");
+  }
+  const std::vector<Row> rows = read_contents(file).rows;
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows.front().status, Status::ok);
 }
 
 // The functions below replace system calls of the journal. The variables g_* select which calls fail. The
@@ -193,7 +205,7 @@ int bad_sync(int descriptor) {
   return ::fdatasync(descriptor);
 }
 
-struct BadCalls : ::testing::Test {
+struct BadCalls : JournalFile {
   void SetUp() override { reset(); }
   void TearDown() override { reset(); }
   static void reset() {
@@ -202,8 +214,6 @@ struct BadCalls : ::testing::Test {
     g_fail_write_after = -1;
     g_fail_sync = false;
   }
-  Folder folder;
-  fs::path file = folder.path / "j.jsonl";
   JournalCalls calls{bad_write, bad_sync, ::ftruncate};
 };
 
@@ -212,11 +222,11 @@ TEST_F(BadCalls, InterruptedAndShortWritesAreFinished) {
   g_interrupts = 3;
   g_short = 5;
   journal.append(sample_row("a"));
-  EXPECT_EQ(text_of(file), to_line(sample_row("a")) + "\n");
+  EXPECT_EQ(text_of(file), first);
 }
 
 TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
-  const std::size_t writes = to_line(sample_row("b")).size() / 40;
+  const std::size_t writes = second.size() / 40;
   for (int after = 0; after <= int(writes); ++after) {
     fs::remove(file);
     reset();
@@ -224,10 +234,10 @@ TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
     journal.append(sample_row("a"));
     g_short = 40;
     g_fail_write_after = after;
-    EXPECT_NE(error_of([&] { journal.append(sample_row("b")); }).find("No space left"), std::string::npos);
-    EXPECT_EQ(text_of(file), to_line(sample_row("a")) + "\n");
+    expect_has(refusal([&] { journal.append(sample_row("b")); }), "No space left");
+    EXPECT_EQ(text_of(file), first);
     reset();
-    EXPECT_FALSE(error_of([&] { journal.append(sample_row("c")); }).empty())
+    EXPECT_NE(refusal([&] { journal.append(sample_row("c")); }), "accepted")
         << "a broken journal takes no more";
   }
 }
@@ -235,17 +245,14 @@ TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
 TEST_F(BadCalls, AFailedSyncIsNotRetried) {
   Journal journal(file, Journal::Mode::fresh, calls);
   g_fail_sync = true;
-  EXPECT_NE(error_of([&] { journal.append(sample_row("a")); }).find("synced"), std::string::npos);
+  expect_has(refusal([&] { journal.append(sample_row("a")); }), "synced");
   g_fail_sync = false;
-  EXPECT_FALSE(error_of([&] { journal.append(sample_row("b")); }).empty());
+  EXPECT_NE(refusal([&] { journal.append(sample_row("b")); }), "accepted");
 }
 
 // The test limits the size of files with setrlimit(). The operating system then writes only a part of the
 // second row and reports an error. The journal must remove this part.
-TEST(Journal, ARealLimitOnTheFile) {
-  const Folder folder;
-  const fs::path file = folder.path / "j.jsonl";
-  const std::string first = to_line(sample_row("a")) + "\n";
+TEST_F(JournalFile, ARealLimitOnTheFile) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
@@ -254,7 +261,7 @@ TEST(Journal, ARealLimitOnTheFile) {
     setrlimit(RLIMIT_FSIZE, &limit);
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
-    _exit(error_of([&] { journal.append(sample_row("b")); }).empty() ? 1 : 0);
+    _exit(refusal([&] { journal.append(sample_row("b")); }) == "accepted" ? 1 : 0);
   }
   int status = 0;
   waitpid(child, &status, 0);
@@ -262,11 +269,10 @@ TEST(Journal, ARealLimitOnTheFile) {
   EXPECT_EQ(text_of(file), first);
 }
 
-TEST(Journal, APlaceThatCannotBeWritten) {
-  const Folder folder;
-  write_text(folder.path / "file", "x");
-  EXPECT_FALSE(error_of([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }).empty());
-  EXPECT_FALSE(error_of([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }).empty());
+TEST_F(JournalFile, APlaceThatCannotBeWritten) {
+  folder.write("file", "x");
+  EXPECT_NE(refusal([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }), "accepted");
+  EXPECT_NE(refusal([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }), "accepted");
 }
 
 }  // namespace

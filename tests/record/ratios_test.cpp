@@ -1,10 +1,8 @@
 // The direction of a ratio follows from its name alone; earlier schemas are read under the present names.
 #include "harness/record/ratios.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/fake.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

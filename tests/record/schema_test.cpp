@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 
 #include "harness/error.hpp"
@@ -8,8 +6,6 @@
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Returns the number of lines of `journal` that python3-jsonschema rejects with docs/row.schema.json.
 int refused_lines(const fs::path& journal, const fs::path& folder) {
@@ -28,8 +24,9 @@ sys.exit(min(255, sum(not validator.is_valid(json.loads(line)) for line in open(
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(Schema, HoldsRowsOfEveryStatus) {
-  const test::Folder folder;
+struct Schema : test::InFolder {};
+
+TEST_F(Schema, HoldsRowsOfEveryStatus) {
   const fs::path file = folder.path / "j.jsonl";
   {
     Journal journal(file, Journal::Mode::fresh);
@@ -52,20 +49,16 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
 }
 
 // Rows of earlier revisions may have no CPU times, no picture, or times of other phases.
-TEST(Schema, HoldsTheRowsOfResults) {
-  const test::Folder folder;
-  int journals = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(PELAGE_SOURCE_DIR "/results")) {
-    if (entry.path().extension() != ".jsonl") continue;
-    ++journals;
-    EXPECT_EQ(refused_lines(entry.path(), folder.path), 0) << entry.path();
-    EXPECT_FALSE(read_contents(entry.path()).rows.empty()) << entry.path();
+TEST_F(Schema, HoldsTheRowsOfResults) {
+  const std::vector<fs::path> journals = test::files_below(PELAGE_SOURCE_DIR "/results", ".jsonl");
+  EXPECT_FALSE(journals.empty());
+  for (const fs::path& journal : journals) {
+    EXPECT_EQ(refused_lines(journal, folder.path), 0) << journal;
+    EXPECT_FALSE(read_contents(journal).rows.empty()) << journal;
   }
-  EXPECT_GT(journals, 0);
 }
 
-TEST(Schema, RefusesWhatNoRowMayBe) {
-  const test::Folder folder;
+TEST_F(Schema, RefusesWhatNoRowMayBe) {
   const fs::path file = folder.path / "j.jsonl";
   auto with = [](auto change) {
     auto json = nlohmann::ordered_json::parse(to_line(test::sample_row("a")));

@@ -1,14 +1,10 @@
 // Tests run_states(), which finds the shards and cases of a run that have no rows.
 #include "harness/record/shards.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/fake.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A run of 6 cases in 3 shards. Cases 0 and 3 belong to shard 0, cases 1 and 4 to shard 1, and cases 2 and 5
 /// to shard 2.

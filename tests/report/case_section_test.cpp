@@ -1,12 +1,11 @@
 // Tests the remarks below the table of any experiment, the names of cases and columns in them, and plots.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "harness/report/case_table.hpp"
 #include "harness/report/sections.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -33,13 +32,11 @@ TEST(CaseSection, ShowsTheRatioToABaselineAndTheStepsPerFrame) {
     row.provenance["view"] = {{"columns", {"dynamics.topology"}},
                               {"values", {"median_ms", "serial-fast_ratio"}}};
   }
-  const std::string text = text_of(sections_without_notes(rows).at(0).table);
-  EXPECT_NE(text.find("2.05 [1.90, 2.10]"), std::string::npos) << text;
-  EXPECT_NE(text.find("NAME_ratio: time of the baseline NAME divided by our time"), std::string::npos)
-      << text;
-  EXPECT_NE(text.find("Time steps per frame: explicit-euler 16, rk4 4."), std::string::npos) << text;
+  test::expect_has(text_of(sections_without_notes(rows).at(0).table),
+                   {"2.05 [1.90, 2.10]", "NAME_ratio: time of the baseline NAME divided by our time",
+                    "Time steps per frame: explicit-euler 16, rk4 4."});
   for (FoundRow& found : rows) found.row.metrics["substeps"].value = 4;
-  EXPECT_EQ(text_of(sections_without_notes(rows).at(0).table).find("Time steps"), std::string::npos);
+  test::expect_lacks(text_of(sections_without_notes(rows).at(0).table), "Time steps");
 }
 
 TEST(CaseSection, SaysWhichCaseARatioAboveOneMakesSlower) {
@@ -51,10 +48,10 @@ TEST(CaseSection, SaysWhichCaseARatioAboveOneMakesSlower) {
     }
     return text_of(sections_without_notes(rows).at(0).table);
   };
-  EXPECT_NE(text_with("frame_over_baseline").find("Above 1, the case is slower."), std::string::npos);
-  EXPECT_EQ(text_with("frame_over_baseline").find("ours is faster"), std::string::npos);
-  EXPECT_NE(text_with("frame_over_half").find("divided by the time of a frame with half"), std::string::npos);
-  EXPECT_EQ(text_with("frame_over_half").find("ours is faster"), std::string::npos);
+  test::expect_has(text_with("frame_over_baseline"), "Above 1, the case is slower.");
+  test::expect_lacks(text_with("frame_over_baseline"), "ours is faster");
+  test::expect_has(text_with("frame_over_half"), "divided by the time of a frame with half");
+  test::expect_lacks(text_with("frame_over_half"), "ours is faster");
 }
 
 // The titles of these experiments promise frames per second. Their preset smoke has no published numbers.
@@ -64,7 +61,7 @@ TEST(CaseSection, CasesWithoutPublishedNumbersOfTable1ShowFramesPerSecond) {
   for (FoundRow& found : rows) found.row.samples["frame"].wall_ms.assign(11, 20.0);
   const Table table = sections_without_notes(rows).at(0).table;
   EXPECT_EQ(table.layout.values, std::vector<std::string>{"fps"});
-  EXPECT_NE(text_of(table).find("Frames per second: 1000 divided by"), std::string::npos) << text_of(table);
+  test::expect_has(text_of(table), "Frames per second: 1000 divided by");
 }
 
 TEST(CaseSection, NamesCasesWithEqualPictures) {

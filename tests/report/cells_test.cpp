@@ -12,14 +12,12 @@
 namespace pelage {
 namespace {
 
-using test::table1_rows;
-
 const Cell& named(const std::vector<Cell>& cells, const std::string& name) {
   return *std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.case_name == name; });
 }
 
 TEST(Cells, MedianAndFrameRate) {
-  const auto cells = cells_of(table1_rows());
+  const auto cells = cells_of(test::table1_rows());
   ASSERT_EQ(cells.size(), 32u);
   const Cell& torus = named(cells, "torus-16-800x600");
   EXPECT_NEAR(torus.median_ms, (9360 + 480000) * 16 / 1e6, 1e-9);
@@ -29,8 +27,8 @@ TEST(Cells, MedianAndFrameRate) {
 }
 
 TEST(Cells, ProcessesOfOneCaseAreOneCell) {
-  auto rows = table1_rows();
-  auto slower = table1_rows(2);
+  auto rows = test::table1_rows();
+  auto slower = test::table1_rows(2);
   for (FoundRow& row : slower) row.row.repeat = 1;
   rows.insert(rows.end(), slower.begin(), slower.end());
   const auto cells = cells_of(rows);
@@ -43,7 +41,7 @@ TEST(Cells, ProcessesOfOneCaseAreOneCell) {
 }
 
 TEST(Cells, AnyPhaseCanTakeThePlaceOfTheFrame) {
-  std::vector<FoundRow> rows = {table1_rows()[0], table1_rows()[1]};
+  std::vector<FoundRow> rows = {test::table1_rows()[0], test::table1_rows()[1]};
   rows[0].row.samples["raster"] = {{4, 5, 6}, {}};  // event times
   rows[1].row.samples["raster"] = {{}, {7, 8, 9}};  // only wall times
   rows[0].row.samples["simulate"] = {{1, 1, 1}, {}};
@@ -82,20 +80,10 @@ TEST(Cells, AndClaimsTakeTheSameTimesOfAPhase) {
   }
 }
 
-TEST(Cells, RowsWithOtherIdentitiesAreNotCombined) {
-  auto rows = table1_rows(), other = table1_rows(2);
-  for (FoundRow& row : rows) row.row.identity = {{"scene", "1111111122222222"}};
-  for (FoundRow& row : other) row.row.identity = {{"scene", "5555555566666666"}};
-  rows.insert(rows.end(), other.begin(), other.end());
-  const auto cells = cells_of(rows);
-  ASSERT_EQ(cells.size(), 64u);
-  for (const Cell& cell : cells) EXPECT_EQ(cell.timings.processes.size(), 1u);
-}
-
 TEST(Cells, MetricsOfSeveralProcessesAreCombined) {
   std::vector<FoundRow> rows;
   for (const double value : {8.0, 10.0, 9.0}) {
-    FoundRow row = table1_rows().front();
+    FoundRow row = test::table1_rows().front();
     row.row.repeat = int(rows.size());
     row.row.metrics["opengl_ratio"] = {value, "times", "", value - 0.5, value + 0.5};
     rows.push_back(row);
@@ -115,7 +103,7 @@ TEST(Cells, MetricsOfSeveralProcessesAreCombined) {
 }
 
 TEST(Cells, KnowWhetherTheMedianIsPreciseAndTheTimesDrift) {
-  FoundRow row = table1_rows().front();
+  FoundRow row = test::table1_rows().front();
   EXPECT_TRUE(cells_of({row}).front().converged);
   EXPECT_EQ(cells_of({row}).front().drift, 0);
   auto& times = row.row.samples["frame"].wall_ms;
@@ -129,7 +117,7 @@ TEST(Cells, KnowWhetherTheMedianIsPreciseAndTheTimesDrift) {
 }
 
 TEST(Cells, OneBadRowSpoilsItsCell) {
-  auto rows = table1_rows();
+  auto rows = test::table1_rows();
   FoundRow bad = rows.front();
   bad.row.repeat = 1;
   bad.row.status = Status::failed_check;
@@ -142,7 +130,7 @@ TEST(Cells, OneBadRowSpoilsItsCell) {
 }
 
 TEST(Cells, RatioCarriesTheIntervalOfAWholeFigure) {
-  const auto cells = cells_of(table1_rows());
+  const auto cells = cells_of(test::table1_rows());
   const Cell& torus = named(cells, "torus-16-800x600");
   const Ratio r = *ratio_of(torus);
   EXPECT_NEAR(r.value, torus.fps() / 267, 1e-12);
@@ -151,7 +139,7 @@ TEST(Cells, RatioCarriesTheIntervalOfAWholeFigure) {
 }
 
 TEST(Cells, ACensoredFigureBoundsTheRatioFromBelowOnly) {
-  const Ratio r = *ratio_of(named(cells_of(table1_rows()), "lion-64-800x600"));
+  const Ratio r = *ratio_of(named(cells_of(test::table1_rows()), "lion-64-800x600"));
   EXPECT_EQ(r.relation, ">");
   EXPECT_TRUE(r.low);
   EXPECT_FALSE(r.high);

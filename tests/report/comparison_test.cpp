@@ -1,24 +1,20 @@
 #include "harness/report/comparison.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "harness/error.hpp"
 #include "tests/report/rows.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-using test::table1_rows;
 
 /// Returns cells that combine the rows of `count` processes. The processes' medians differ by up to 1%.
 std::vector<Cell> processes(int count, double factor = 1, const std::string& device = "test device") {
   std::vector<FoundRow> all;
   for (int repeat = 0; repeat < count; ++repeat)
-    for (FoundRow& row : table1_rows(factor * (1 + 0.005 * std::sin(7.0 * repeat)), device)) {
+    for (FoundRow& row : test::table1_rows(factor * (1 + 0.005 * std::sin(7.0 * repeat)), device)) {
       row.row.repeat = repeat;
       all.push_back(row);
     }
@@ -84,14 +80,14 @@ TEST(Compare, OneProcessDecidesOnlyLargeChanges) {
 }
 
 TEST(Compare, MarksContendedRows) {
-  auto rows = table1_rows();
+  auto rows = test::table1_rows();
   rows[0].row.provenance["other_cpu_share"] = 0.5;
   const auto pairs = compared(cells_of(rows), processes(1), 0.05);
   EXPECT_EQ(std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.contended; }), 1);
 }
 
 TEST(Compare, ACaseThatFailsNowIsLost) {
-  auto rows = table1_rows();
+  auto rows = test::table1_rows();
   rows[0].row.status = Status::failed_check;
   const auto pairs = compared(processes(1), cells_of(rows), 0.05);
   const auto lost = std::find_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.b_ms == 0; });
@@ -146,14 +142,14 @@ TEST(Compare, DevicesWithDifferentDefaultMappingsArePaired) {
 }
 
 TEST(Compare, TwoMeasurementsOfOneNameInASetAreRefused) {
-  auto rows = table1_rows(), other = table1_rows(2);
+  auto rows = test::table1_rows(), other = test::table1_rows(2);
   for (FoundRow& row : rows) row.row.identity = {{"mesh", "1"}, {"scene", "1111111122222222"}};
   for (FoundRow& row : other) row.row.identity = {{"mesh", "1"}, {"scene", "5555555566666666"}};
   const auto clean = cells_of(rows);
   EXPECT_EQ(compared(clean, cells_of(other), 0.05).size(), 32u);
   rows.insert(rows.end(), other.begin(), other.end());
   const std::string said = test::refusal([&] { compared(cells_of(rows), clean, 0.05); });
-  EXPECT_NE(said.find("different inputs (scene)"), std::string::npos) << said;
+  test::expect_has(said, "different inputs (scene)");
 }
 
 TEST(Compare, Fractions) {

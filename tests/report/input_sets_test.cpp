@@ -7,8 +7,6 @@
 namespace pelage {
 namespace {
 
-using test::table1_rows;
-
 std::vector<FoundRow> with(std::vector<FoundRow> rows, const Identity& identity, const std::string& run) {
   for (FoundRow& found : rows) {
     found.row.identity = identity;
@@ -19,8 +17,8 @@ std::vector<FoundRow> with(std::vector<FoundRow> rows, const Identity& identity,
 }
 
 TEST(InputSets, RowsOfOneIdentityAreOneSet) {
-  auto rows = with(table1_rows(), {{"scene", "1"}}, "a");
-  const auto again = with(table1_rows(), {{"scene", "1"}}, "b");
+  auto rows = with(test::table1_rows(), {{"scene", "1"}}, "a");
+  const auto again = with(test::table1_rows(), {{"scene", "1"}}, "b");
   rows.insert(rows.end(), again.begin(), again.end());
   const auto sets = input_sets(rows);
   ASSERT_EQ(sets.size(), 1u);
@@ -29,10 +27,10 @@ TEST(InputSets, RowsOfOneIdentityAreOneSet) {
 }
 
 TEST(InputSets, OtherInputsStandApartAndAreNamed) {
-  auto rows = with(table1_rows(), {{"mesh", "m"}, {"scene", "1"}, {"kernel a.cl", "k"}}, "a");
-  auto other = with(table1_rows(2), {{"mesh", "m"}, {"scene", "2"}, {"kernel a.cl", "l"}}, "b");
+  auto rows = with(test::table1_rows(), {{"mesh", "m"}, {"scene", "1"}, {"kernel a.cl", "k"}}, "a");
+  auto other = with(test::table1_rows(2), {{"mesh", "m"}, {"scene", "2"}, {"kernel a.cl", "l"}}, "b");
   other.resize(5);
-  const auto old = with(table1_rows(3), {}, "c");
+  const auto old = with(test::table1_rows(3), {}, "c");
   rows.insert(rows.end(), other.begin(), other.end());
   rows.insert(rows.end(), old.begin(), old.end());
   const auto sets = input_sets(rows);
@@ -45,7 +43,7 @@ TEST(InputSets, OtherInputsStandApartAndAreNamed) {
 }
 
 TEST(InputSets, AJournalWithTwoIdentitiesOfACaseIsDivided) {
-  auto rows = with(table1_rows(), {{"scene", "1"}}, "a");
+  auto rows = with(test::table1_rows(), {{"scene", "1"}}, "a");
   rows.push_back(rows.front());
   rows.back().row.repeat = 1;
   rows.back().row.identity = {{"scene", "2"}};

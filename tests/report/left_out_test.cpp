@@ -1,24 +1,21 @@
-#include <gtest/gtest.h>
-
 #include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-using test::table1_rows;
 
 std::vector<LeftOut> list_of(const std::vector<FoundRow>& rows) {
   return without_numbers(cells_of(rows), rows);
 }
 
 TEST(LeftOut, IsEmptyIfEveryCaseHasATime) {
-  EXPECT_TRUE(list_of(table1_rows()).empty());
+  EXPECT_TRUE(list_of(test::table1_rows()).empty());
 }
 
 TEST(LeftOut, NamesEveryCaseWithoutATimeAndTheReason) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   rows[0].row.status = Status::error;
   rows[0].row.reason = "clBuildProgram failed\nline 1 of the log\nline 2";
   rows[1].row.status = Status::failed_check;
@@ -35,7 +32,7 @@ TEST(LeftOut, NamesEveryCaseWithoutATimeAndTheReason) {
 }
 
 TEST(LeftOut, NamesCasesWithoutTheRatioOfTheirExperiment) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   rows[3].row.metrics["opengl_ratio"] = {2, "times"};
   const std::vector<LeftOut> list = list_of(rows);
   ASSERT_EQ(list.size(), rows.size() - 1);
@@ -43,7 +40,7 @@ TEST(LeftOut, NamesCasesWithoutTheRatioOfTheirExperiment) {
 }
 
 TEST(LeftOut, NamesRowsWithoutEventTimes) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   rows[4].row.provenance["event_times"] = "left out: the event times of all 6 frames are equal";
   const std::vector<LeftOut> list = list_of(rows);
   ASSERT_EQ(list.size(), 1U);
@@ -51,7 +48,7 @@ TEST(LeftOut, NamesRowsWithoutEventTimes) {
 }
 
 TEST(LeftOut, NamesRunsWithCasesThatHaveNoRow) {
-  std::vector<FoundRow> rows = table1_rows();
+  std::vector<FoundRow> rows = test::table1_rows();
   for (FoundRow& found : rows) found.row.provenance["shard_cases"] = found.row.provenance["all_cases"] = 40;
   const std::vector<LeftOut> list = missing_cases({rows.front().journal}, rows);
   ASSERT_EQ(list.size(), 1U);
@@ -66,9 +63,7 @@ TEST(LeftOut, IsATableInEveryFormat) {
                                         {"", "", "k.jsonl", "the journal has no complete row"}})
                           .table;
   for (const std::string& text : {text_of(table), csv_of(table), latex_of(table), html_of(table)})
-    for (const char* reason :
-         {"copy of a row of i.jsonl", "another reason", "the journal has no complete row"})
-      EXPECT_NE(text.find(reason), std::string::npos) << text;
+    test::expect_has(text, {"copy of a row of i.jsonl", "another reason", "the journal has no complete row"});
 }
 
 }  // namespace

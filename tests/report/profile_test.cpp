@@ -1,9 +1,8 @@
 #include "harness/report/profile.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/report/plot.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -22,23 +21,19 @@ std::vector<FrameWork> one_frame() {
 }
 
 TEST(Profile, TheTableHasRatesAndSharesOfTheBandwidth) {
-  const std::string csv = csv_of(one_frame(), bandwidth);
-  EXPECT_NE(csv.find("torus-16,9360,2,3000000,2000000,1000000,tile_shells,raster,0.5,1000000,2\n"),
-            std::string::npos)
-      << csv;
-  EXPECT_NE(csv.find("bin_fill,bin,0.25,500000,2\n"), std::string::npos) << csv;
+  test::expect_has(csv_of(one_frame(), bandwidth),
+                   {"torus-16,9360,2,3000000,2000000,1000000,tile_shells,raster,0.5,1000000,2\n",
+                    "bin_fill,bin,0.25,500000,2\n"});
   const std::string text = text_of(one_frame(), bandwidth);
-  EXPECT_NE(text.find("    5.0%"), std::string::npos) << text;
-  EXPECT_NE(text.find("between kernels            1.250   62.5%"), std::string::npos) << text;
+  test::expect_has(text, {"    5.0%", "between kernels            1.250   62.5%"});
 }
 
 TEST(Profile, KernelsOfTwoPhasesAreNamedWithTheirPhase) {
   std::vector<FrameWork> frames = one_frame();
   frames[0].kernels.push_back({"bin_fill", "shadow", 0.125, 5e5});
   const std::string text = text_of(frames, bandwidth);
-  EXPECT_NE(text.find("bin_fill, shadow"), std::string::npos) << text;
-  EXPECT_NE(text.find("bin_fill, bin"), std::string::npos) << text;
-  EXPECT_EQ(text.find("tile_shells, raster"), std::string::npos) << text;
+  test::expect_has(text, {"bin_fill, shadow", "bin_fill, bin"});
+  test::expect_lacks(text, "tile_shells, raster");
 }
 
 TEST(Profile, ThePlotIsDrawnFromTheTable) {
@@ -46,9 +41,7 @@ TEST(Profile, ThePlotIsDrawnFromTheTable) {
   const auto table = folder.path / "t.csv";
   test::write_text(table, csv_of(one_frame(), bandwidth));
   EXPECT_EQ(draw_plot(plot_program("profile"), table, folder.path / "t"), "");
-  const std::string svg = test::text_of(folder.path / "t.svg");
-  EXPECT_NE(svg.find(">raster<"), std::string::npos);
-  EXPECT_NE(svg.find("between kernels"), std::string::npos);
+  test::expect_has(folder.read("t.svg"), {">raster<", "between kernels"});
 }
 
 }  // namespace

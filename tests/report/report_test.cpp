@@ -1,10 +1,7 @@
 #include "harness/report/report.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 
@@ -14,14 +11,12 @@
 #include "harness/report/plot_spec.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-using test::Folder;
-using test::table1_rows;
-using test::text_of;
+using namespace test;
 
 std::string note(const std::string& model) {
   return model == "hippo" ? "stand-in: a pig & 100% so" : "";
@@ -35,9 +30,9 @@ TEST(Csv, PythonReadsIt) {
   rows[1].row.reason = "two\nlines, \"quoted\"";
   rows[2].row.status = Status::error;
   rows[3].row.samples["frame"].cpu_ms = {15.5, 16.5};
-  std::ofstream(folder.path / "phases.csv") << csv_by_phase(rows);
-  std::ofstream(folder.path / "samples.csv") << csv_by_sample(rows);
-  std::ofstream(folder.path / "check.py") << R"(
+  folder.write("phases.csv", csv_by_phase(rows));
+  folder.write("samples.csv", csv_by_sample(rows));
+  folder.write("check.py", R"(
 import csv, sys
 phases = list(csv.DictReader(open(sys.argv[1], newline="")))
 samples = list(csv.DictReader(open(sys.argv[2], newline="")))
@@ -52,7 +47,7 @@ assert (first["model"], first["layers"], first["size"]) == ("torus", "16", "800x
 assert float(first["metric.paper_fps"]) == 267
 assert any(r["reason"] == 'two\nlines, "quoted"' for r in phases)
 assert [r["median_ms"] for r in phases if r["status"] == "error"] == [""]
-)";
+)");
   const std::string command =
       fmt::format("python3 {0}/check.py {0}/phases.csv {0}/samples.csv", folder.path.string());
   EXPECT_EQ(std::system(command.c_str()), 0);
@@ -75,8 +70,8 @@ TEST(Report, WritesEverythingItPromises) {
                            "plots/plot.py", "plots/style.py", "plots/silva2010-table1-frame-time.json"})
     EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
   EXPECT_EQ(test::lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
-  EXPECT_NE(text_of(out / "references.bib").find("10.1007/s00371-010-0484-4"), std::string::npos);
-  EXPECT_NE(text_of(out / "provenance.txt").find("preset: quick"), std::string::npos);
+  test::expect_has(text_of(out / "references.bib"), "10.1007/s00371-010-0484-4");
+  test::expect_has(text_of(out / "provenance.txt"), "preset: quick");
   EXPECT_EQ(report.rows.size(), rows.size());
   if (report.notes.empty()) {
     EXPECT_GT(fs::file_size(out / "plots/silva2010-table1-frame-time.svg"), 5000u);
@@ -105,8 +100,7 @@ TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
   rows.resize(3);
   rows[0].row.provenance["other_cpu_share"] = 0.05;
   const Report idle = write_report(rows, folder.path / "idle", note);
-  for (const std::string& line : idle.notes)
-    EXPECT_EQ(line.find("loaded machine"), std::string::npos) << line;
+  for (const std::string& line : idle.notes) test::expect_lacks(line, "loaded machine");
   rows[1].row.provenance["other_cpu_share"] = 0.5;
   const Report loaded = write_report(rows, folder.path / "loaded", note);
   ASSERT_FALSE(loaded.notes.empty());
@@ -116,30 +110,27 @@ TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
 
 TEST(Report, APlotThatFailsIsANote) {
   const Folder folder;
-  std::ofstream(folder.path / "none.py") << "raise ModuleNotFoundError(\"No module named 'matplotlib'\")\n";
-  std::ofstream(folder.path / "odd.py") << "raise ValueError('odd')\n";
-  EXPECT_NE(draw_plot(folder.path / "none.py", "x", "y").find("matplotlib is not installed"),
-            std::string::npos);
-  EXPECT_NE(draw_plot(folder.path / "odd.py", "x", "y").find("ValueError: odd"), std::string::npos);
+  folder.write("none.py", "raise ModuleNotFoundError(\"No module named 'matplotlib'\")\n");
+  folder.write("odd.py", "raise ValueError('odd')\n");
+  test::expect_has(draw_plot(folder.path / "none.py", "x", "y"), "matplotlib is not installed");
+  test::expect_has(draw_plot(folder.path / "odd.py", "x", "y"), "ValueError: odd");
 }
 
 /// Returns the numbers that label the ticks of a plot of the times 48, 52 and 56 ms of three models.
 std::set<std::string> tick_labels(const std::string& scale) {
   const Folder folder;
-  std::ofstream(folder.path / "t.csv") << "model,median_ms\na,48\nb,52\nc,56\n";
+  folder.write("t.csv", "model,median_ms\na,48\nb,52\nc,56\n");
   PlotSpec plot;
   plot.x = "model";
   plot.y = "median_ms";
   plot.y_scale = scale;
   plot.x_scale = "linear";
-  std::ofstream(folder.path / "t.json") << json_of(plot);
+  folder.write("t.json", json_of(plot));
   EXPECT_EQ(draw_plot(plot_program("plot"), folder.path / "t.csv", folder.path / "t"), "");
-  const std::string svg = text_of(folder.path / "t.svg");
+  const std::string svg = folder.read("t.svg");
   static const std::regex label(">([0-9.]+)</text>");
-  std::set<std::string> labels;
-  for (std::sregex_iterator found(svg.begin(), svg.end(), label), end; found != end; ++found)
-    labels.insert((*found)[1]);
-  return labels;
+  const std::vector<std::string> labels = matches(svg, label);
+  return {labels.begin(), labels.end()};
 }
 
 // On an axis from 48 to 56, a difference of 8% would look like the whole height of the plot.
@@ -153,7 +144,7 @@ TEST(Plot, ALogarithmicAxisHasTwoLabels) {
 
 TEST(Report, APlaceThatCannotBeWritten) {
   const Folder folder;
-  std::ofstream(folder.path / "file") << "x";
+  folder.write("file", "x");
   EXPECT_THROW(write_report(table1_rows(), folder.path / "file" / "r", note), InputError);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -83,13 +82,6 @@ inline std::vector<FoundRow> own_rows(const std::vector<Axis>& axes) {
     rows[i].journal = "results/own/test_device@h.jsonl";
   }
   return rows;
-}
-
-inline std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
 }
 
 }  // namespace pelage::test

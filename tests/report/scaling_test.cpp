@@ -1,7 +1,5 @@
 // Tests the text on the cost of layers, and that plots/scaling.py finds the coefficients of a synthetic
 // table.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -9,11 +7,10 @@
 #include "harness/report/plot.hpp"
 #include "harness/report/report.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Returns cells with synthetic frame times. The frame time is 1 ms + 40 ns * triangles + 2 ns * triangles *
 /// layers + 10 ns * pixels * layers, multiplied by a factor between 0.99 and 1.01.
@@ -63,14 +60,10 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
   all[1].metrics["frame_over_half"].value = 9;
   const std::vector<Cell> shown = in_turns_cells(all);
   ASSERT_EQ(shown.size(), 1u);
-  EXPECT_NE(in_turns_csv(shown).find("device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4"),
-            std::string::npos)
-      << in_turns_csv(shown);
-  EXPECT_NE(in_turns_text(shown).find(
-                "A frame with twice the layers takes at most 1.80 times as long (limit: 2.05); "
-                "a frame with four times the layers takes at most 3.20"),
-            std::string::npos)
-      << in_turns_text(shown);
+  test::expect_has(in_turns_csv(shown), "device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4");
+  test::expect_has(in_turns_text(shown),
+                   "A frame with twice the layers takes at most 1.80 times as long (limit: 2.05); "
+                   "a frame with four times the layers takes at most 3.20");
   EXPECT_TRUE(in_turns_text({}).empty());
 }
 
@@ -83,14 +76,10 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   two[2].median_ms = 40;
   two[3].median_ms = 70;
   const std::string text = scaling_text(two);
-  EXPECT_NE(text.find("1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("A frame with twice the layers takes at most 2.11 times as long (limit: 2.05)"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("64 layers take at most 4.00 times the time of 16 layers (limit: 3.3)"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
+  test::expect_has(
+      text, {"1.90 times", "A frame with twice the layers takes at most 2.11 times as long (limit: 2.05)",
+             "64 layers take at most 4.00 times the time of 16 layers (limit: 3.3)",
+             "Most memory: 111 MiB, 9360-128-800x600"});
 }
 
 /// Returns a cell (the result of one case) with the median frame time `ms`. The case has a model of 9360
@@ -105,16 +94,14 @@ Cell timed(const std::string& host, int layers, double ms) {
 
 TEST(Scaling, ComparesSixtyFourLayersWithSixteenOnly) {
   const std::string text = scaling_text({timed("h", 8, 6), timed("h", 16, 10), timed("h", 64, 30)});
-  EXPECT_NE(text.find("64 layers take at most 3.00 times the time of 16 layers"), std::string::npos) << text;
+  test::expect_has(text, "64 layers take at most 3.00 times the time of 16 layers");
 }
 
 TEST(Scaling, ComparesCellsOfOneHostOnly) {
-  const std::string text = scaling_text(
-      {timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18), timed("slow", 32, 38)});
-  EXPECT_NE(text.find("10.00 ->     18.00 ms, 1.80 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("20.00 ->     38.00 ms, 1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("A frame with twice the layers takes at most 1.90 times as long"), std::string::npos)
-      << text;
+  test::expect_has(scaling_text({timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18),
+                                 timed("slow", 32, 38)}),
+                   {"10.00 ->     18.00 ms, 1.80 times", "20.00 ->     38.00 ms, 1.90 times",
+                    "A frame with twice the layers takes at most 1.90 times as long"});
 }
 
 TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
@@ -129,9 +116,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   };
   EXPECT_NEAR(cost("pixel and layer"), 10, 0.5) << fit;
   EXPECT_NEAR(cost("triangle and layer"), 2, 0.5) << fit;
-  EXPECT_NE(fit.find("fitted to 18 cases"), std::string::npos) << fit;
-  EXPECT_NE(fit.find("9 cases held out"), std::string::npos) << fit;
-  EXPECT_NE(fit.find("21 cases beyond the fit"), std::string::npos) << fit;
+  test::expect_has(fit, {"fitted to 18 cases", "9 cases held out", "21 cases beyond the fit"});
   // The fit must hold out a third of the cases of every picture size, and a third of the cases of every
   // number of layers.
   for (const char* axis : {"-400x300 ", "-800x600 ", "-1680x1050 ", "9360-16-", "9360-32-", "9360-64-"}) {
@@ -142,13 +127,12 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
     }
     EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
   }
-  EXPECT_NE(test::text_of(folder / "t.svg").find("128"), std::string::npos);
+  test::expect_has(test::text_of(folder / "t.svg"), "128");
   // With too few cases the plot program must report an error and must not compute a fit.
   std::vector<Cell> few = cells();
   few.resize(6);
   test::write_text(folder / "few.csv", scaling_csv(few));
-  EXPECT_NE(draw_plot(plot_program("scaling"), folder / "few.csv", folder / "few").find("too few"),
-            std::string::npos);
+  test::expect_has(draw_plot(plot_program("scaling"), folder / "few.csv", folder / "few"), "too few");
 }
 
 }  // namespace

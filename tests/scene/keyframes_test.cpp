@@ -1,24 +1,17 @@
 // Tests keys that change over time: reading, errors, interpolation, writing and hashing.
 #include "harness/scene/keyframes.hpp"
 
-#include <gtest/gtest.h>
-
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
 
-struct BadKeyframes {
-  const char* text;      ///< a scene file
-  const char* expected;  ///< text that the error message must contain
-};
-
-const BadKeyframes bad_keyframes[] = {
+const std::vector<test::Bad> bad_keyframes = {
     {"[keyframes]\n\"strands.fractoin\" = [[0, 1]]",
      "s.toml:2: keyframes.\"strands.fractoin\": no such key; did you mean strands.fraction?"},
     {"[keyframes]\n\"model\" = [[0, \"torus\"]]", "s.toml:2: keyframes.\"model\": this key cannot change"},
@@ -53,11 +46,7 @@ const BadKeyframes bad_keyframes[] = {
 };
 
 TEST(Keyframes, BadLinesAreErrorsWithFileLineAndKey) {
-  for (const BadKeyframes& bad : bad_keyframes) {
-    const std::string said = test::refusal([&] { parse_scene(bad.text, "s.toml"); });
-    EXPECT_NE(said.find(bad.expected), std::string::npos) << said << "\n  expected: " << bad.expected;
-    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
-  }
+  test::expect_refusals(bad_keyframes, [](const std::string& text) { parse_scene(text, "s.toml"); });
 }
 
 const char* const lively = R"(
@@ -164,12 +153,12 @@ TEST(Keyframes, AreInTheHashOfTheScene) {
   EXPECT_NE(first, hash("\"strands.opacity\" = [[0, 1], [2, 0.5]]"));
   EXPECT_EQ(first, hash("\"strands.fraction\" = [[0.0, 1.0], [2.0, 0.5]]"));
   const test::Folder folder;
-  test::write_text(folder.path / "a.png", "1");
+  folder.write("a.png", "1");
   const auto hash_of_file = [&] {
     return hash("\"coat.image\" = [[0, \"" + (folder.path / "a.png").string() + "\"]]");
   };
   const std::string before = hash_of_file();
-  test::write_text(folder.path / "a.png", "2");
+  folder.write("a.png", "2");
   EXPECT_NE(hash_of_file(), before) << "the content of the file counts";
 }
 
@@ -185,13 +174,13 @@ TEST(Keyframes, TracksOfAProgramAreChecked) {
     return test::refusal([&] { check_scene(scene, "test"); }, "no error");
   };
   EXPECT_EQ(refused({"strands.fraction", {{0, 0.5f}, {1, 0.7f}}}), "no error");
-  EXPECT_NE(refused({"strands.fraction", {{0, 5}}}).find("wrong type"), std::string::npos);
-  EXPECT_NE(refused({"strands.fraction", {{0, 5.0f}}}).find("out of range"), std::string::npos);
-  EXPECT_NE(refused({"strands.fraction", {{1, 0.5f}, {0, 0.5f}}}).find("ascending"), std::string::npos);
-  EXPECT_NE(refused({"strands.fraction", {}}).find("0 keyframes"), std::string::npos);
-  EXPECT_NE(refused({"strands.taper", {{0, 0.5f}}}).find("occurs twice"), std::string::npos);
-  EXPECT_NE(refused({"mesh.up", {{0, std::string("z")}}}).find("cannot change"), std::string::npos);
-  EXPECT_NE(refused({"fraction", {{0, 0.5f}}}).find("no such key"), std::string::npos);
+  test::expect_has(refused({"strands.fraction", {{0, 5}}}), "wrong type");
+  test::expect_has(refused({"strands.fraction", {{0, 5.0f}}}), "out of range");
+  test::expect_has(refused({"strands.fraction", {{1, 0.5f}, {0, 0.5f}}}), "ascending");
+  test::expect_has(refused({"strands.fraction", {}}), "0 keyframes");
+  test::expect_has(refused({"strands.taper", {{0, 0.5f}}}), "occurs twice");
+  test::expect_has(refused({"mesh.up", {{0, std::string("z")}}}), "cannot change");
+  test::expect_has(refused({"fraction", {{0, 0.5f}}}), "no such key");
 }
 
 const char* const moving =

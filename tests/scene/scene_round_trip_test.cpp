@@ -1,7 +1,5 @@
 // Tests that writing and reading a scene preserves the value of every key: its default, its bounds and values
 // between the bounds.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -14,11 +12,10 @@
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Returns the name of the first key whose value differs between two scenes; empty if the scenes are equal.
 std::string difference(Scene a, Scene b) {
@@ -110,9 +107,8 @@ TEST(SceneRoundTrip, ManyKeysTogetherSurvive) {
   int read = 0;
   for (int attempt = 0; attempt < 1500; ++attempt) {
     Scene scene;
-    for (const Key& key : scene_keys(scene)) {
+    for (const Key& key : scene_keys(scene))
       if (random() % 3 == 0) vary(key, random);
-    }
     scene.shading.lights.resize(1 + random() % 2);
     scene.wetness.droplets.resize(random() % 4);
     for (std::size_t i = 0; i < scene.wetness.droplets.size(); ++i) {
@@ -173,12 +169,11 @@ intensity = 1
 }
 
 TEST(SceneRoundTrip, PathsAreRelativeToTheFile) {
-  const test::Folder temporary;
-  const fs::path& folder = temporary.path;
-  std::ofstream(folder / "s.toml") << "model = 'meshes/a.obj'\ncoat.image = '../coat.png'\n";
-  const Scene scene = read_scene(folder / "s.toml");
-  EXPECT_EQ(scene.model, (folder / "meshes/a.obj").string());
-  EXPECT_EQ(scene.coat.image, folder.parent_path() / "coat.png");
+  const test::Folder folder;
+  const Scene scene =
+      read_scene(folder.write("s.toml", "model = 'meshes/a.obj'\ncoat.image = '../coat.png'\n"));
+  EXPECT_EQ(scene.model, (folder.path / "meshes/a.obj").string());
+  EXPECT_EQ(scene.coat.image, folder.path.parent_path() / "coat.png");
   EXPECT_EQ(scene.wetness.image, fs::path());
 }
 
@@ -190,9 +185,8 @@ TEST(SceneRoundTrip, TheHashFollowsTheValuesAndNotTheFolder) {
   Scene shape;
   for (std::size_t i = 0; i < scene_keys(shape).size(); ++i) {
     Scene scene;
-    for (int attempt = 0; attempt < 100 && difference(scene, plain).empty(); ++attempt) {
+    for (int attempt = 0; attempt < 100 && difference(scene, plain).empty(); ++attempt)
       vary(scene_keys(scene)[i], random);
-    }
     const std::string_view name = scene_keys(scene)[i].name;
     EXPECT_EQ(scene_hash(scene) == scene_hash(plain), name == "pipeline") << name;
   }
@@ -214,9 +208,7 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
     EXPECT_FALSE(key.help.empty()) << key.name;
     EXPECT_NE(text.find(describe_range(key)), std::string::npos) << key.name;
   }
-  for (const char* word : {"default", "uv", "point", "r_drop", "[[shading.light]]"}) {
-    EXPECT_NE(text.find(word), std::string::npos) << word;
-  }
+  test::expect_has(text, {"default", "uv", "point", "r_drop", "[[shading.light]]"});
 }
 
 /// Returns the members of the structs in the headers of the scene as dotted keys: "float length = ..."
@@ -225,26 +217,14 @@ std::vector<std::string> members() {
   std::stringstream file;
   for (const char* name : {"harness/scene/scene.hpp", "harness/scene/strands_scene.hpp"})
     file << std::ifstream(fs::path(PELAGE_SOURCE_DIR) / name).rdbuf();
-  const std::map<std::string, std::string> tables{{"FurScene", "fur."},
-                                                  {"CurlScene", "curl."},
-                                                  {"WetnessScene", "wetness."},
-                                                  {"ClumpScene", "clump."},
-                                                  {"SoakedScene", "soaked."},
-                                                  {"BlendScene", "blend."},
-                                                  {"WindScene", "dynamics.wind."},
-                                                  {"DynamicsScene", "dynamics."},
-                                                  {"ShadingScene", "shading."},
-                                                  {"CoatScene", "coat."},
-                                                  {"StrandsScene", "strands."},
-                                                  {"ChainScene", "strands.chain."},
-                                                  {"CameraScene", "camera."},
-                                                  {"ImageScene", "image."},
-                                                  {"SpringsScene", "dynamics.springs."},
-                                                  {"MotionScene", "dynamics.motion."},
-                                                  {"PokeScene", "dynamics.poke."},
-                                                  {"MeshScene", "mesh."},
-                                                  {"ContactMeshScene", "contact.mesh_"},
-                                                  {"ContactMotion", "contact.mesh_"}};
+  std::map<std::string, std::string> tables;
+  std::istringstream pairs(
+      "FurScene fur. CurlScene curl. WetnessScene wetness. ClumpScene clump. SoakedScene soaked. "
+      "BlendScene blend. WindScene dynamics.wind. DynamicsScene dynamics. ShadingScene shading. "
+      "CoatScene coat. StrandsScene strands. ChainScene strands.chain. CameraScene camera. "
+      "ImageScene image. SpringsScene dynamics.springs. MotionScene dynamics.motion. PokeScene "
+      "dynamics.poke. MeshScene mesh. ContactMeshScene contact.mesh_ ContactMotion contact.mesh_");
+  for (std::string type, table; pairs >> type >> table;) tables[type] = table;
   const std::regex opening(R"(^struct (\w+) \{)"), member(R"(^  [\w:]+ ((\w+, )*\w+)( = [^;]+|\{[^;]*\})?;)"),
       word(R"(\w+)");
   std::vector<std::string> names;
@@ -274,15 +254,9 @@ TEST(SceneRoundTrip, EveryMemberHasAKey) {
 }
 
 TEST(SceneRoundTrip, EveryExampleReads) {
-  int count = 0;
-  for (const char* folder : {"examples"}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(PELAGE_SOURCE_DIR) / folder)) {
-      if (entry.path().extension() != ".toml") continue;
-      ++count;
-      EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
-    }
-  }
-  EXPECT_GT(count, 0);
+  const std::vector<fs::path> examples = test::files_below(PELAGE_SOURCE_DIR "/examples", ".toml");
+  EXPECT_FALSE(examples.empty());
+  for (const fs::path& file : examples) EXPECT_NO_THROW(read_scene(file)) << file;
 }
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
@@ -309,7 +283,7 @@ TEST(ChangedKeys, ContainListsAndKeyframesAndShortenLongLists) {
   EXPECT_EQ(few[1],
             std::pair(std::string("keyframes.\"fur.length\""), std::string("[[0.0, 0.1], [1.0, 0.2]]")));
   for (int i = 0; i < 100; ++i) text += "[[wetness.droplet]]\nuv = [0.5, 0.5]\nradius = 0.1\n";
-  EXPECT_NE(changed_keys(parse_scene(text, "a.toml"))[0].second.find(" characters"), std::string::npos);
+  test::expect_has(changed_keys(parse_scene(text, "a.toml"))[0].second, " characters");
 }
 
 }  // namespace

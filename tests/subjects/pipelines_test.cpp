@@ -1,8 +1,6 @@
 // Tests the table of pipelines, and the experiments with the OpenGL baseline.
 #include "harness/subjects/pipelines.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -10,6 +8,7 @@
 
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -56,7 +55,7 @@ TEST(Rivals, MeetOnTheSceneOfTable1) {
           which.axes.at("model") + "-" + which.axes.at("layers") + "-" + which.axes.at("size");
       ASSERT_TRUE(expected.contains(cell)) << cell;
       EXPECT_EQ(scene_hash(scene_of(rivals, which)), expected.at(cell)) << which.name;
-      EXPECT_NE(which.pipeline.find("opengl"), std::string::npos);
+      test::expect_has(which.pipeline, "opengl");
       ++compared;
     }
     EXPECT_EQ(compared, cells) << file;

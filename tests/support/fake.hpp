@@ -1,5 +1,4 @@
-// A fake pipeline that needs no device, and experiment cases for it. Tests use it for behaviour of the
-// harness that does not depend on the pipeline.
+// A fake pipeline that needs no device, and experiment cases for it.
 #pragma once
 #include <string>
 

@@ -2,7 +2,6 @@
 #pragma once
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tests/support/files.hpp"
 
@@ -19,19 +18,16 @@ struct UnderOclgrind {
 /// variable for the command, or an empty string.
 inline UnderOclgrind under_oclgrind(const std::string& filter, const std::string& checks,
                                     const std::string& environment = "") {
-  namespace fs = std::filesystem;
-  const fs::path stem = fs::temp_directory_path() / fmt::format("pelage-oclgrind-{}", ::getpid());
-  const fs::path log = stem.string() + ".log", out = stem.string() + ".out";
+  const test::Folder folder;
+  const std::string place = folder.path.string();
   UnderOclgrind found;
-  found.status = std::system(fmt::format("{} oclgrind --check-api {} --log '{}' '{}' --gtest_filter='{}' "
-                                         "--gtest_also_run_disabled_tests >'{}' 2>&1",
-                                         environment, checks, log.string(),
-                                         fs::read_symlink("/proc/self/exe").string(), filter, out.string())
+  found.status = std::system(fmt::format("{} oclgrind --check-api {} --log '{}/log' '{}' --gtest_filter='{}' "
+                                         "--gtest_also_run_disabled_tests >'{}/out' 2>&1",
+                                         environment, checks, place,
+                                         fs::read_symlink("/proc/self/exe").string(), filter, place)
                                  .c_str());
-  found.log = test::text_of(log);
-  found.printed = test::text_of(out);
-  fs::remove(log);
-  fs::remove(out);
+  found.log = folder.read("log");
+  found.printed = folder.read("out");
   return found;
 }
 

@@ -15,8 +15,7 @@
 namespace pelage::pictures {
 
 /// Returns the input of a frame of `width` x 5/8 `width` pixels: a named model with curly, wet fur in the
-/// wind. The frame is a smaller version of the scenes of Table 1 in Curling and Clumping Fur (Silva et al.
-/// 2010).
+/// wind, as in Table 1 of Curling and Clumping Fur (Silva et al. 2010) but smaller.
 std::shared_ptr<const FrameInput> model_frame(const std::string& model, int layers,
                                               const std::string& shading, int width = 320);
 
@@ -31,13 +30,10 @@ constexpr int frames = 16;
 Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant = reference::Mutant::none,
                            bool eight_bit = false);
 
-/// Returns true if two pictures have equal numbers of pixels, and equal bits in each of them.
 bool same_bits(const Picture& a, const Picture& b);
 
-/// Returns a summary for the message of a failed test: the PSNR, the PSNR without the flipped pixels, the
-/// number of flipped pixels, the 99.9th percentile of the pixels' differences, the largest difference and its
-/// pixel, and the number of fur pixels. A pixel is flipped if it differs from the reference by more than
-/// tolerance::flip (2/255) in some channel.
+/// Returns a summary for the message of a failed test. A pixel is flipped if it differs from the reference by
+/// more than tolerance::flip (2/255) in some channel.
 std::string describe(const Agreement& agreement);
 
 /// Whether two pictures count as equal (within()), and have more than `least_pixels` fur pixels. The message

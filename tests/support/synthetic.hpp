@@ -20,14 +20,12 @@ Surface square(double side);
 Surface torus();
 
 /// Returns a grid of nu x nv quads over the surface, with two triangles per quad. On a periodic surface, a
-/// point on a border of the UV square also lies on the opposite border. Such a point has one vertex on each
-/// of these two borders.
+/// point on a border has a vertex on the opposite border, too.
 Mesh grid(const Surface& surface, int nu, int nv);
 
-/// Returns the complete input of a frame of `scene`. The mesh is a grid of nu x nv quads over `surface`. The
-/// fur texture contains upright cones and has mip levels. The coat is smooth. `droplets` is the number of
-/// random droplets. The scene's keys for the number of strands per fur slice, for the coat's pattern and for
-/// the number of random droplets have no effect.
+/// Returns the complete input of a frame of `scene` with a grid of nu x nv quads, upright cones as fur, a
+/// smooth coat and `droplets` random droplets. The keys of the scene for the number of strands and of random
+/// droplets and for the pattern of the coat have no effect.
 FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int droplets);
 
 /// Returns a scene of 16 layers and 160 x 100 pixels with combed, curly, wet and windy fur.

@@ -1,15 +1,14 @@
 #include "harness/table/table.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
-#include <sstream>
 
 #include "harness/base/numbers.hpp"
 #include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -33,13 +32,6 @@ Table cases() {
   for (auto& line : table.lines)
     if (line[0].data == "cow") line[0].mark = "a";
   return table;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
 }
 
 TEST(Table, OrdersValuesAsReadersDo) {
@@ -109,7 +101,7 @@ TEST(Pivot, ShowsEveryLine) {
 
 TEST(Formats, AsText) {
   const std::string text = text_of(cases());
-  const auto lines = lines_of(text);
+  const auto lines = test::lines_of(text);
   ASSERT_EQ(lines.size(), 12u) << text;
   EXPECT_EQ(lines[0], "Title: experiment on <device> & 100%");
   EXPECT_EQ(lines[2], "16 layers   800x600   1680x1050") << text;
@@ -124,7 +116,7 @@ TEST(Formats, AsCsv) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
   // An apostrophe prevents a spreadsheet from taking a text for a formula. Numbers get no apostrophe.
   EXPECT_EQ(csv_line({"=1+1", "@x", "-a", "-1.5e-3", "+2", "-"}), "'=1+1,'@x,'-a,-1.5e-3,+2,'-\n");
-  const auto lines = lines_of(csv_of(cases()));
+  const auto lines = test::lines_of(csv_of(cases()));
   ASSERT_EQ(lines.size(), 9u);
   EXPECT_EQ(lines[0], "model,layers,size,ms");
   EXPECT_EQ(lines[1], "torus,16,1680x1050,1");
@@ -134,15 +126,13 @@ TEST(Formats, AsLatex) {
   const std::string tex = latex_of(cases());
   for (const char* part : {"\\toprule", "\\midrule", "\\bottomrule", "$800 \\times 600$", "cow\\tnote{a}",
                            "$<$stand-in$>$ \\& more", "100\\%"})
-    EXPECT_NE(tex.find(part), std::string::npos) << part << "\n" << tex;
+    test::expect_has(tex, part);
   EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
   EXPECT_EQ(latex_text("a_b<c&d%"), "a\\_b$<$c\\&d\\%");
 }
 
 TEST(Formats, AsHtml) {
-  const std::string html = html_of(cases());
-  EXPECT_NE(html.find("cow<sup>a</sup>"), std::string::npos) << html;
-  EXPECT_NE(html.find("a &lt;stand-in&gt; &amp; more"), std::string::npos) << html;
+  test::expect_has(html_of(cases()), {"cow<sup>a</sup>", "a &lt;stand-in&gt; &amp; more"});
   EXPECT_EQ(html_text("<a b=\"&\">"), "&lt;a b=&quot;&amp;&quot;&gt;");
 }
 

@@ -1,7 +1,5 @@
 #include "harness/tuning/contenders.hpp"
 
-#include <gtest/gtest.h>
-
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/support/files.hpp"
@@ -9,8 +7,6 @@
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::shared_ptr<const FrameInput> small() {
   return std::make_shared<FrameInput>(
@@ -24,13 +20,7 @@ std::string fault_of(const std::string& stage, const std::string& file = {}, con
   const fs::path original = cl::kernel_folder();
   const test::Folder folder;
   fs::copy(original, folder.path / "kernels", fs::copy_options::recursive);
-  if (!file.empty()) {
-    std::string source = test::text_of(folder.path / "kernels" / file);
-    const auto at = source.find(text);
-    EXPECT_NE(at, std::string::npos) << file << ": " << text;
-    if (at != std::string::npos) source.replace(at, text.size(), replacement);
-    test::write_text(folder.path / "kernels" / file, source);
-  }
+  if (!file.empty()) folder.edit("kernels/" + file, text, replacement);
   cl::set_kernel_folder(folder.path / "kernels");
   std::string fault;
   try {

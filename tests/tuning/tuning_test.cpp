@@ -1,11 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "harness/error.hpp"
 #include "harness/tuning/tuning_search.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -128,18 +126,13 @@ TEST(TuningFile, StagesAreReplacedOneByOne) {
 
 TEST(TuningFile, MistakesAreRefusedByLineAndKey) {
   const test::Folder folder;
-  const auto file = folder.path / "t.toml";
-  const auto refused = [&](const std::string& text, const std::string& says) {
-    test::write_text(file, text);
-    const std::string said = test::refusal([&] { read_tuning(file); });
-    EXPECT_NE(said.find(says), std::string::npos) << said;
-  };
-  refused("TILE_W = 16\nTILLE_H = 16\n", "t.toml:2: TILLE_H: no such tuning axis");
-  refused("TILE_W = 1.5\n", "t.toml:1: TILE_W");
-  refused("TILE_W = -1\n", "whole number");
-  refused("tile = 1\n", "capitals");
-  refused("TILE_W = 8\n[rasterize]\nTILE_W = 8\n", "occurs twice");
-  refused("TILE_W = \n", "not TOML");
+  test::expect_refusals({{"TILE_W = 16\nTILLE_H = 16\n", "t.toml:2: TILLE_H: no such tuning axis"},
+                         {"TILE_W = 1.5\n", "t.toml:1: TILE_W"},
+                         {"TILE_W = -1\n", "whole number"},
+                         {"tile = 1\n", "capitals"},
+                         {"TILE_W = 8\n[rasterize]\nTILE_W = 8\n", "occurs twice"},
+                         {"TILE_W = \n", "not TOML"}},
+                        [&](const std::string& text) { read_tuning(folder.write("t.toml", text)); });
 }
 
 TEST(TuningAxes, EveryStageHasSomeAndTheShippedValueIsNoCandidate) {

@@ -13,8 +13,8 @@
 #include "harness/prepare/prepare.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
-#include "tests/support/refusal.hpp"
 #include "tests/support/synthetic.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

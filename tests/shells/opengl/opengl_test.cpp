@@ -8,7 +8,7 @@
 #include "harness/error.hpp"
 #include "tests/shells/opengl/scenes.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

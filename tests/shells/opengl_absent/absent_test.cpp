@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/shells/opengl/opengl.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {

@@ -16,7 +16,7 @@
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
-#include "tests/support/refusal.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::springs {
 namespace {

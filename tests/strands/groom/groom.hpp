@@ -12,8 +12,8 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/strands/groom/fur.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/refusal.hpp"
 #include "tests/support/synthetic.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::strands::test {
 
