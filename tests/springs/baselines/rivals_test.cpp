@@ -5,9 +5,7 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/springs/baselines/baselines.hpp"
 #include "harness/springs/reference/reference.hpp"
-#include "tests/springs/support/cases.hpp"
 #include "tests/springs/support/differences.hpp"
-#include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs {
@@ -60,7 +58,6 @@ INSTANTIATE_TEST_SUITE_P(All, Rivals, testing::ValuesIn(all_cases()), case_name)
 
 // Tests the backward Euler step of every baseline, which solves a linear system for the change of the
 // velocities. The test computes the matrix of this system by finite differences of the reference's forces.
-using namespace test;
 
 TEST(BaselineStep, SolvesTheSystemOfFiniteDifferences) {
   const Dynamics d = stiff_step();

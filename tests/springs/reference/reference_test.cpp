@@ -11,9 +11,7 @@
 #include <numbers>
 
 #include "harness/compare/tolerances.hpp"
-#include "tests/springs/support/cases.hpp"
 #include "tests/springs/support/differences.hpp"
-#include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs {
@@ -212,7 +210,6 @@ TEST(ReferenceTopology, TotalEnergyIsKeptWithoutFriction) {
 
 // Compares the reference's formulas for the derivatives of the forces with finite differences of the
 // reference's forces.
-using namespace test;
 
 Matrix matrix_of(const reference::Derivatives& found, bool by_velocity) {
   const auto size = Eigen::Index(found.size);

@@ -10,7 +10,6 @@
 #include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/study.hpp"
 #include "tests/springs/support/device.hpp"
-#include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs {
@@ -146,7 +145,6 @@ TEST(AreaScaling, MultipliesTheConstantsOfAStick) {
 }
 
 // Tests longest_step(), which finds the longest stable time step.
-using namespace test;
 
 // Simulates two seconds with the reference. Returns the greatest length of a stick after any step, in rest
 // lengths.
