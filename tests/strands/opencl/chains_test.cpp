@@ -11,7 +11,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
-#include "tests/strands/support/step_errors.hpp"
+#include "tests/strands/support/strands.hpp"
 
 namespace pelage::strands::test {
 namespace {
@@ -123,9 +123,7 @@ TEST(ChainKeys, AreTheStatesInTheFrameOfTheObject) {
 // have no limit.
 TEST(Steps, AgreeWithTheReference) {
   const Errors errors = step_errors(sphere_of(2000), shaken());
-  errors.print();
-  EXPECT_LT(errors.most(errors.direction), tolerance::chain_direction);
-  EXPECT_LT(errors.most(errors.rate), tolerance::chain_rate);
+  errors.expect_small();
   EXPECT_GT(double(errors.touching), 0.02 * double(errors.rate.size()));
 }
 
