@@ -1,5 +1,5 @@
-// Strands, motions and the device that the tests in tests/strands use, and comparisons of chains on the device: single
-// time steps with the double-precision reference, energies, and bits.
+// Strands, motions and the device that the tests in tests/strands use, and comparisons of chains on the
+// device: single time steps with the double-precision reference, energies, and bits.
 #pragma once
 #include <gtest/gtest.h>
 
