@@ -7,7 +7,6 @@
 #include "harness/springs/reference/reference.hpp"
 #include "tests/portability/elsewhere.hpp"
 #include "tests/springs/support/device.hpp"
-#include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::portability {

@@ -159,4 +159,16 @@ Cases fur_behind_the_eye() {
   return cases;
 }
 
+FrameInput square_seen_from(float side, const std::string& shading, const std::string& sides) {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.length = .05f;
+  scene.shading.model = shading;
+  scene.shading.sides = sides;
+  scene.shading.lights = {LightScene{{.2f, .3f, side}, 1.5f}};
+  scene.camera.eye = {.3f, .4f, 1.6f * side};
+  scene.camera.target = {0, 0, 0};
+  scene.camera.up = {0, 1, 0};
+  return synthetic::frame(scene, synthetic::square(1.4), 12, 12, 30);
+}
+
 }  // namespace pelage::pictures

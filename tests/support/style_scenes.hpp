@@ -53,4 +53,33 @@ inline float wavy(glm::vec2 uv) {
   return 0.55f + 0.45f * std::sin(6.2831853f * uv.x) * std::cos(12.566371f * uv.y);
 }
 
+/// A torus with long fur, without colliders unless `change` adds some. Its axis is y. The circle in its tube
+/// has the radius 0.71, and the radius of the tube is 0.29.
+inline std::shared_ptr<const FrameInput> long_fur(const std::function<void(Scene&)>& change = {}) {
+  return small_torus([&](Scene& s) {
+    s.model = "torus-60x36";
+    s.mesh.rotate = {-25, 0, 0};  // the torus of load_model() is tilted by 25 degrees
+    s.fur.length = 0.26f;
+    s.fur.comb = 0.2f;
+    if (change) change(s);
+  });
+}
+
+/// Adds colliders of all kinds that press long_fur(): a ball, a bar that moves, and the mesh in the file
+/// `body`.
+inline void press(Scene& s, const std::filesystem::path& body) {
+  ContactSphereScene& ball = s.contact.spheres.emplace_back();
+  ball.centre = {0.72f, 0.7f, 0.1f};
+  ball.radius = 0.36f;
+  ContactCapsuleScene& bar = s.contact.capsules.emplace_back();
+  bar.from = {-0.4f, 0.57f, 0.5f};
+  bar.to = {0.5f, 0.57f, 0.75f};
+  bar.radius = 0.22f;
+  bar.motion.velocity = {0.1f, 0, 0};
+  s.contact.mesh.file = body;
+  s.contact.mesh.position = {-0.5f, 0.5f, 0.5f};
+  s.contact.mesh.scale = 0.4f;
+  s.contact.mesh.cells = 32;
+}
+
 }  // namespace pelage::style_scenes

@@ -174,6 +174,14 @@ Mesh grid(const Surface& surface, int nu, int nv) {
   return mesh;
 }
 
+Scene upright_scene() {
+  Scene scene = lively_scene();
+  scene.fur.comb = 0;
+  scene.curl.radius = 0;
+  scene.dynamics = {};
+  return scene;
+}
+
 Camera camera(const CameraScene& scene, int width, int height) {
   Camera result;
   const glm::dvec3 eye(scene.eye), forward = glm::normalize(glm::dvec3(scene.target) - eye);

@@ -31,6 +31,9 @@ FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int
 /// Returns a scene of 16 layers and 160 x 100 pixels with combed, curly, wet and windy fur.
 Scene lively_scene();
 
+/// Returns lively_scene() without comb, curl, gravity and wind.
+Scene upright_scene();
+
 /// Returns the camera that `scene` describes. The key `framed` is ignored, as if it were false.
 Camera camera(const CameraScene& scene, int width, int height);
 

@@ -1,7 +1,7 @@
-#include "harness/shells/opencl/contact_stage.hpp"
-
 #include <glm/geometric.hpp>
 #include <span>
+
+#include "harness/shells/opencl/simulate_stage.hpp"
 
 namespace pelage::shells {
 namespace {

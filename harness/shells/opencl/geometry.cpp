@@ -17,10 +17,9 @@ namespace {
 // for this limit is that kernels index tables of up to eight values per vertex or triangle with a 32-bit int.
 int padded(std::size_t count) {
   if (count > (std::size_t(1) << 28) - 16)
-    throw InputError(
-        fmt::format("{} vertices or triangles to draw, but at most 2^28 - 16 are possible: reduce the mesh "
-                    "(pelage mesh --faces)",
-                    count));
+    throw InputError(fmt::format(
+        "{} vertices or triangles to draw, but at most 2^28 - 16 are possible: reduce the mesh (pelage mesh --faces)",
+        count));
   return static_cast<int>((count + 15) / 16 * 16);
 }
 

@@ -1,7 +1,7 @@
 // The pixel mapping: each work-item draws one pixel, fragment by fragment (kernels/rasterize/pixel/).
 #include <fmt/format.h>
 
-#include "harness/shells/opencl/tile_bins.hpp"
+#include "harness/shells/opencl/mapping.hpp"
 
 namespace pelage::shells {
 namespace {

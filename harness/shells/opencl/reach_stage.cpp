@@ -1,6 +1,6 @@
-#include "harness/shells/opencl/reach_stage.hpp"
-
 #include <utility>
+
+#include "harness/shells/opencl/raster_stage.hpp"
 
 namespace pelage::shells {
 

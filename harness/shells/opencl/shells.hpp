@@ -82,11 +82,9 @@ class Shells {
   /// frame. It has wetness.size^2 texels. A texel holds the centre (c_u, c_v) and the radius
   /// r of a clump, and the wetness rho.
   std::vector<glm::vec4> mask() const;
-  /// Returns the vector from the root to the tip of each strand. If the scene has a mass-spring topology, the
-  /// function returns the vector from the base to the top of each stick instead.
+  /// Returns the vector from the root to the tip of each strand, or from the base to the top of each stick.
   std::vector<glm::vec3> tips() const;
-  /// Returns the velocity of the end point of each vector that tips() returns.
-  std::vector<glm::vec3> velocities() const;
+  std::vector<glm::vec3> velocities() const;  ///< of the tips or tops
   /// Counts the fragments of the last frame in all layers. The function draws the frame again with the pixel
   /// mapping, but only in a random sample of about one in `every` pixels. The function then multiplies the
   /// counts by `every`. With every = 1 the counts are exact, but slow to compute. With every = 0 the sample
@@ -96,8 +94,8 @@ class Shells {
   double build_ms() const;  ///< build time of all kernels, ms
   /// What a new wetness mask costs, wall times in ms. 0 without droplets.
   struct MaskTime {
-    double all =
-        0;  ///< from the upload of the droplets until the device has computed all that depends on them
+    /// From the upload of the droplets until the device has computed all that depends on them.
+    double all = 0;
     /// The part of `all` for what depends on the mask: the dryness of each vertex, the curl frame of each
     /// vertex (only if fur.substeps > 1), and the number of layers in which each triangle is drawn.
     double after_mask = 0;

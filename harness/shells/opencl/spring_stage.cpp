@@ -15,9 +15,7 @@ springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, in
   return masses;
 }
 
-// The buffer masses.offset() holds one vector per stick, from the stick's base to its top. Every drawn vertex
-// belongs to a stick. For each drawn vertex, this function returns an index into the buffer: the position of
-// the x component of the stick's vector. The number of drawn vertices is padded to a multiple of 16. A
+// Returns, for each drawn vertex, the index in masses.offset() of the x component of its stick's vector. A
 // padding vertex gets the index of stick 0, so that the kernel reads a valid element.
 std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geometry& g) {
   const std::vector<std::int32_t> of_stick = masses.offset_columns();

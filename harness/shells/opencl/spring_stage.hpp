@@ -9,7 +9,6 @@
 #include "harness/cl/program.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/geometry.hpp"
-#include "harness/springs/opencl/adaptive.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "kernels/rasterize/params.h"
 

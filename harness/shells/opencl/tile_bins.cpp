@@ -1,10 +1,9 @@
-#include "harness/shells/opencl/tile_bins.hpp"
-
 #include <array>
 #include <limits>
 
 #include "harness/cl/radix_sort.hpp"
 #include "harness/error.hpp"
+#include "harness/shells/opencl/mapping.hpp"
 
 namespace pelage::shells {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "harness/cl/mapping_names.hpp"
-#include "harness/shells/opencl/tile_bins.hpp"
+#include "harness/shells/opencl/mapping.hpp"
 
 namespace pelage::shells {
 namespace {

@@ -42,8 +42,7 @@ class WorkgroupMapping : public Mapping {
     const std::size_t items = std::size_t(p.layer_batches) * std::size_t(p.triangles);
     if (items > std::size_t(std::numeric_limits<std::int32_t>::max()))
       throw DeviceError(fmt::format(
-          "{} layer batches of {} triangles: the number of batches times the number of triangles must be "
-          "below 2^31; increase the number of layers per batch (tuning axis GROUP)",
+          "{} layer batches of {} triangles: the number of batches times the number of triangles must be below 2^31; increase the number of layers per batch (tuning axis GROUP)",
           p.layer_batches, p.triangles));
     std::vector<cl::Event> launches;
     std::vector<cl::Event>* const noted = events ? &launches : nullptr;
@@ -58,8 +57,7 @@ class WorkgroupMapping : public Mapping {
     // above the following limit, the end index of the last run overflows an int.
     if (total > std::numeric_limits<std::int32_t>::max() - 4096)
       throw DeviceError(
-          "the triangle lists of the tiles would have 2^31 - 4096 entries or more: use a smaller picture or "
-          "more layers per batch (tuning axis GROUP)");
+          "the triangle lists of the tiles would have 2^31 - 4096 entries or more: use a smaller picture or more layers per batch (tuning axis GROUP)");
     const auto count = std::size_t(total);
     const std::size_t lists = std::size_t(p.tiles_x) * std::size_t(p.tiles_y) * std::size_t(p.layer_batches);
     if (b.list_start.size() < lists + 1) b.list_start = cl::Buffer<std::int32_t>(queue.device(), lists + 1);

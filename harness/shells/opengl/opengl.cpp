@@ -17,8 +17,6 @@
 #include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/program.hpp"
-#include "harness/shells/opengl/textures.hpp"
-#include "harness/shells/opengl/vertices.hpp"
 
 namespace pelage {
 namespace {
@@ -55,8 +53,7 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
                                  input.scene.shading.model));
   if (input.scene.fur.substeps > 1)
     throw InputError(
-        fmt::format("fur.substeps = {}: --pipeline opengl draws without sub-steps; "
-                    "set fur.substeps to 1",
+        fmt::format("fur.substeps = {}: --pipeline opengl draws without sub-steps; set fur.substeps to 1",
                     input.scene.fur.substeps));
   return input;
 }

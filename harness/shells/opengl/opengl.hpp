@@ -42,11 +42,9 @@ OpenGlOptions opengl_options(const std::string& text);
 /// Returns all options in the form that opengl_options() reads.
 std::string to_text(const OpenGlOptions& options);
 
-/// A scene that OpenGL draws. The constructor uploads the scene and builds the shaders. bend() sets the tips
-/// of the strands. frame() draws a picture into a framebuffer object. read() copies the picture to the host.
-/// The constructor throws InputError if EGL or OpenGL 4.5 is missing, if pelage was built without OpenGL, or
-/// if the baseline does not support the scene. The constructor and the member functions throw DeviceError if
-/// OpenGL reports an error.
+/// A scene that OpenGL draws. The constructor uploads the scene and builds the shaders. It throws InputError
+/// if EGL or OpenGL 4.5 is missing, if pelage was built without OpenGL, or if the baseline does not support
+/// the scene. All members throw DeviceError if OpenGL reports an error.
 class OpenGl {
  public:
   /// `mask` is the wetness mask (docs/shells.md, section 2) with wetness.size^2 texels. A texel holds the

@@ -1,10 +1,9 @@
-#include "harness/shells/opengl/textures.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "harness/gl/context.hpp"
+#include "harness/shells/opengl/program.hpp"
 
 namespace pelage::rivals {
 namespace {

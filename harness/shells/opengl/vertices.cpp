@@ -1,11 +1,11 @@
-#include "harness/shells/opengl/vertices.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <numeric>
+
+#include "harness/shells/opengl/program.hpp"
 
 namespace pelage::rivals {
 namespace {

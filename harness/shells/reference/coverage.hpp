@@ -62,8 +62,8 @@ class Raster {
   std::int64_t area_;  ///< twice the signed area
 };
 
-/// Clips the windows to the picture and splits them into windows of at most 64 x 64 pixels. If `windows` is
-/// empty, the function splits the whole picture.
+/// Clips the windows to the picture and splits them into windows of at most 64 x 64 pixels. Without windows,
+/// splits the whole picture.
 std::vector<Window> split(const std::vector<Window>& windows, const Camera& camera);
 
 /// Returns the faces that may cover a pixel of the window on some layer, in the mesh's order. For each face,

@@ -27,8 +27,7 @@ void check_input(const FrameInput& input, const Options& options) {
         "a mass-spring topology needs one normal per surface point");
   check(
       options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
-      "Options::sticks must have one entry per surface point, or one per triangle corner if the topology is "
-      "separable-sticks or separable-prisms");
+      "Options::sticks must have one entry per surface point, or one per triangle corner if the topology is separable-sticks or separable-prisms");
   check(!sticks || !options.sticks.empty() || options.frames == 0,
         "Options::sticks must not be empty if a mass-spring topology is drawn after more than 0 frames");
   check(input.strands.row.size() == points + 1,

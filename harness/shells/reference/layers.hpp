@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
-#include "harness/shells/reference/contact.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
 
@@ -30,10 +29,8 @@ glm::dvec3 bezier(const glm::dvec3& a, const glm::dvec3& b, double t);
 /// to the tip (h = 1). u and v are the axes of the curl.
 glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dvec3& u, const glm::dvec3& v);
 
-/// The bend of a vertex, as two vectors. For a strand, they are the control points p0 and p of the Bezier
-/// curve, relative to the strand's root. For a stick, they are L0 n and L0 s, where L0 is the stick's length,
-/// n the surface normal and s the stick's direction. If dynamics.bend is "tangent", the second vector of a
-/// stick is L0 times the sum of n and the tangential part of s.
+/// The bend of a vertex, as two vectors. p0 and p are control points of a strand's Bezier curve. L0 is a
+/// stick's length, n the surface normal and s the stick's direction.
 struct Bend {
   /// For a strand, the vector from the root to p0. For a stick, the vector L0 n.
   glm::dvec3 a{0.0};
@@ -58,23 +55,20 @@ glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, d
 /// vertices (parts() is true), a slot is the index 3 f + c of corner c of triangle f.
 class Geometry {
  public:
-  /// Computes the bend and the wetness of each slot (mesh vertex or triangle corner) after `frames` frames.
-  /// `wanted` has one entry per face. The entry is 0 if the caller does not need the face. If `wanted` is
-  /// empty, the constructor computes the slots of all faces. With a mass-spring topology, the bend comes from
-  /// `sticks`, and no strands are simulated. Options::sticks describes the entries of `sticks`.
+  /// Computes the bend and the wetness of each slot after `frames` frames. `wanted` has one entry per face: 0
+  /// if the caller does not need the face. If it is empty, the slots of all faces are computed. With a
+  /// mass-spring topology, the bend comes from `sticks`, and no strands are simulated. Options::sticks
+  /// describes the entries of `sticks`.
   Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted = {},
            Mutant mutant = Mutant::none, const std::vector<glm::dvec3>& sticks = {});
 
   std::size_t slots() const { return bend_.size(); }
   bool wanted(std::size_t slot) const { return wanted_[slot] != 0; }
   std::size_t slot(std::size_t face, std::size_t corner) const;
-  /// Returns the index of the mesh vertex that belongs to a slot. A slot is the index of a triangle corner if
-  /// parts() is true. Otherwise a slot is the index of a mesh vertex, and the function returns `slot`.
-  std::uint32_t vertex(std::size_t slot) const;
+  std::uint32_t vertex(std::size_t slot) const;  ///< index of the mesh vertex that belongs to a slot
   const Bend& bend(std::size_t slot) const { return bend_[slot]; }
   glm::dvec3 position(std::size_t slot, int n) const;  ///< position on layer n; n = -1: base surface
-  /// Returns the offset by the curl on layer n for a slot (the index of a mesh vertex or of a triangle
-  /// corner). The offset is 0 for the base surface, n = -1.
+  /// Returns the offset by the curl on layer n. It is 0 for the base surface, n = -1.
   glm::dvec3 curl_offset(std::size_t slot, int n) const;
   /// The axes of the curl at a slot, times its radius and its dryness, in R.
   struct CurlAxes {

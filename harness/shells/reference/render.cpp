@@ -68,9 +68,8 @@ class Painter {
   Painter(const FrameInput& input, const Options& options, const Mask& mask, const Geometry& geometry)
       : input_(input), options_(options), mask_(mask), geometry_(geometry), point_(geometry.slots()) {}
 
-  /// Projects the vertices of layer n to the screen. n = -1 is the base surface. If the triangles of a layer
-  /// do not share vertices, each triangle has three vertices of its own. The function omits a vertex if no
-  /// drawn face uses it (Geometry::wanted() is false).
+  /// Projects the vertices of layer n to the screen, except those that no drawn face uses. n = -1 is the base
+  /// surface.
   void move_to(int n) {
     layer_ = n;
     for_each_index(point_.size(), 1024, [&](std::size_t s) {

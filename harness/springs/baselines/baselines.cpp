@@ -4,20 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 
 #include "harness/springs/baselines/arrays.hpp"
 #include "harness/springs/baselines/eigen.hpp"
 
 namespace pelage::springs {
 namespace {
-
-double phase_at(const SpringNetwork& topology, const Wind& wind, std::size_t stick) {
-  const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
-  return 2 * std::numbers::pi * glm::dot(glm::dvec3(topology.gust_at[stick]), along) /
-         double(wind.wavelength);
-}
 
 template <class T>
 class SerialRival : public SolverRival {
@@ -42,7 +34,7 @@ class SerialRival : public SolverRival {
     for (std::size_t i = 0; i < sticks; ++i) {
       put(a.root, i, topology.mass[i]);
       put(a.normal, i, topology.normal[i]);
-      const double phase = phase_at(topology, dynamics.wind, i);
+      const double phase = gust_phase(dynamics.wind, topology.gust_at[i]);
       a.phase_cos[place_[i]] = T(std::cos(phase)), a.phase_sin[place_[i]] = T(std::sin(phase));
     }
     for (std::size_t e = 0; e < edges; ++e)
@@ -120,7 +112,7 @@ class EigenRival : public SolverRival {
     for (std::size_t i = 0; i < sticks_; ++i) {
       for (int c = 0; c < 3; ++c)
         root.push_back(T(topology.mass[i][c])), normal.push_back(T(topology.normal[i][c]));
-      const double at = phase_at(topology, dynamics.wind, i);
+      const double at = gust_phase(dynamics.wind, topology.gust_at[i]);
       phase.push_back(T(std::cos(at))), phase.push_back(T(std::sin(at)));
     }
     for (std::size_t e = 0; e < topology.edges().size(); ++e) {

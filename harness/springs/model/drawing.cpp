@@ -50,10 +50,7 @@ class Panel {
     std::stable_sort(items_.begin(), items_.end(),
                      [](const Item& a, const Item& b) { return a.depth < b.depth; });
     std::string text = fmt::format(
-        "<g transform=\"translate({:.0f} {:.0f})\" stroke-width=\"{:.2f}\">\n<text x=\"{:.0f}\" y=\"16\" "
-        "text-anchor=\"middle\">{}: "
-        "{} "
-        "masses, {} springs</text>\n",
+        "<g transform=\"translate({:.0f} {:.0f})\" stroke-width=\"{:.2f}\">\n<text x=\"{:.0f}\" y=\"16\" text-anchor=\"middle\">{}: {} masses, {} springs</text>\n",
         x, y, std::clamp(25 / std::sqrt(double(topology_.spring.size())), 0.35, 1.2), panel / 2,
         name(topology_.kind), topology_.mass.size(), topology_.spring.size());
     for (const Item& item : items_) text += item.svg;
@@ -89,9 +86,10 @@ class Panel {
     const auto grey = int(205 + 45 * lit);
     const glm::dvec2 a = at(corner[0]), b = at(corner[1]), c = at(corner[2]);
     items_.push_back(
-        {centre.z, fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" class=\"skin\" "
-                               "fill=\"#{:02x}{:02x}{:02x}\"/>\n",
-                               a.x, a.y, b.x, b.y, c.x, c.y, grey, grey, grey - 8)});
+        {centre.z,
+         fmt::format(
+             "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" class=\"skin\" fill=\"#{:02x}{:02x}{:02x}\"/>\n",
+             a.x, a.y, b.x, b.y, c.x, c.y, grey, grey, grey - 8)});
   }
 
   void spring(const glm::uvec2& masses) {
@@ -121,15 +119,11 @@ class Panel {
 std::string drawing_of(const Mesh& mesh, float length) {
   if (mesh.triangle.size() > most_drawn)
     throw InputError(fmt::format(
-        "{}: the mesh has {} triangles; a drawing shows at most {}. Reduce the mesh, for instance with "
-        "--faces 2000",
+        "{}: the mesh has {} triangles; a drawing shows at most {}. Reduce the mesh, for instance with --faces 2000",
         mesh.name, mesh.triangle.size(), most_drawn));
   const double row = panel + title;
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"13\">\n<style>.skin{{stroke:#b4b0a4;"
-      "stroke-width:.4}}.stick{{stroke:#8a4b12}}.edge{{stroke:#0072b2}}"
-      "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"13\">\n<style>.skin{{stroke:#b4b0a4;stroke-width:.4}}.stick{{stroke:#8a4b12}}.edge{{stroke:#0072b2}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       2 * panel, 2 * row);
   for (std::size_t i = 0; i < std::size(kinds); ++i) {
     const SpringNetwork topology = build(kinds[i], mesh, length);

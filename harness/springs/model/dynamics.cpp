@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "harness/error.hpp"
+#include "harness/springs/model/motion.hpp"
 
 namespace pelage::springs {
 namespace {
@@ -112,6 +113,40 @@ TopologyParams params(const Dynamics& d, float length) {
   p.most_square = d.lost_stretch * length * d.lost_stretch * length;
   p.moving = turns(d.motion);
   return p;
+}
+
+Wind wind_of(const WindScene& w, float drag) {
+  return {w.direction, drag > 0 ? w.strength / drag : 0, w.gust, w.frequency, w.wavelength};
+}
+
+Motion motion_of(const MotionScene& m) {
+  return {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+}
+
+double gust_phase(const Wind& wind, glm::dvec3 at) {
+  const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
+  return 2 * std::numbers::pi * glm::dot(at, along) / double(wind.wavelength);
+}
+
+bool turns(const Motion& m) {
+  return m.spin != 0 || (m.swing != 0 && m.swing_frequency != 0);
+}
+
+Pose pose_at(const Motion& m, double time) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const double a = turn * double(m.shake_frequency), b = turn * double(m.swing_frequency);
+  return {glm::dvec3(m.velocity) + a * std::sin(a * time) * glm::dvec3(m.shake),
+          a * a * std::cos(a * time) * glm::dvec3(m.shake),
+          glm::normalize(glm::dvec3(m.axis)),
+          double(m.spin) * time + double(m.swing) * std::sin(b * time),
+          double(m.spin) + double(m.swing) * b * std::cos(b * time),
+          -double(m.swing) * b * b * std::sin(b * time)};
+}
+
+// Rodrigues' formula.
+glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
+  return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) +
+         axis * glm::dot(axis, v) * (1 - std::cos(angle));
 }
 
 }  // namespace pelage::springs

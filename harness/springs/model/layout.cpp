@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 #include <numeric>
 
 namespace pelage::springs {
@@ -96,10 +94,8 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
     set3(layout.offset, place, 3, 0, topology.length * normal);
   };
   for (std::size_t place = 0; place < places; ++place) stand(place, {0, 0, 0}, {0, 1, 0}, 0);
-  const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
   for (std::size_t i = 0; i < sticks; ++i)
-    stand(layout.place[i], topology.mass[i], topology.normal[i],
-          2 * std::numbers::pi * glm::dot(glm::dvec3(topology.gust_at[i]), along) / double(wind.wavelength));
+    stand(layout.place[i], topology.mass[i], topology.normal[i], gust_phase(wind, topology.gust_at[i]));
   if (topology.kind.shared_edges()) lay_out_springs(around, layout);
   if (topology.kind.own_edges()) {
     layout.sides.assign(places, 0);

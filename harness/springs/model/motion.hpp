@@ -45,6 +45,9 @@ struct Pose {
 Wind wind_of(const WindScene& scene, float drag);
 Motion motion_of(const MotionScene& scene);
 
+/// Returns the phase of the gusts at the position `at` (R), in rad: 2 pi (x . d / wavelength).
+double gust_phase(const Wind& wind, glm::dvec3 at);
+
 /// Returns whether the object rotates. The coordinate frame of a rotating object is not inertial.
 bool turns(const Motion& motion);
 

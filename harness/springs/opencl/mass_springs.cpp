@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "harness/error.hpp"
@@ -25,8 +27,7 @@ std::size_t bytes_of(const cl::Buffer<T>& buffer) {
 
 Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
     : std::runtime_error(fmt::format(
-          "mass {} had diverged after step {} ({:.6g} s) of {} with the time step {} s and the stick "
-          "stiffness {} N/m; use a shorter time step, more damping or softer springs",
+          "mass {} had diverged after step {} ({:.6g} s) of {} with the time step {} s and the stick stiffness {} N/m; use a shorter time step, more damping or softer springs",
           mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver), d.step,
           d.stiffness)),
       step(step_number),
@@ -41,8 +42,7 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
   const bool prisms = topology.kind.shared_edges();
   if (dynamics.solver.implicit && dynamics.full_jacobian)
     throw InputError(
-        "dynamics.springs.jacobian = \"full\": only the reference has it (--pipeline reference); use "
-        "\"pruned\"");
+        "dynamics.springs.jacobian = \"full\": only the reference has it (--pipeline reference); use \"pruned\"");
   const std::size_t places = layout_.places();
   const std::vector<std::int32_t> all_never(places, never);
   buffers_ = {{},
@@ -64,7 +64,7 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
 
 // Uploads wind, gravity and the object's motion for many steps_ at once, because for a small model an upload
 // would take as long as the launch.
-void MassSprings::know_moments(const cl::Queue& queue, int substeps) {
+void MassSprings::upload_moments(const cl::Queue& queue, int substeps) {
   if (known_from_ <= steps_ && steps_ + substeps <= known_to_) return;
   const int count = std::max(substeps, 512);
   const std::vector<Moment> table = moments(dynamics_, steps_, count);
@@ -147,7 +147,7 @@ void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& for
 void MassSprings::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches) {
   if (substeps <= 0) throw InputError(fmt::format("substeps: {}; the number must be at least 1", substeps));
   if (steps_ > never - 1 - substeps) throw InputError("substeps: a run has at most 2^31 steps in total");
-  know_moments(queue, substeps);
+  upload_moments(queue, substeps);
   TopologyParams params = params_;
   params.substeps = substeps;
   params.first_step = int(steps_);
@@ -205,6 +205,71 @@ const LinearSolves& MassSprings::solves() const {
 
 const cl::Program& MassSprings::program() const {
   return prisms_ ? prisms_->program() : blocks_->program();
+}
+
+namespace {
+
+using Vectors = std::vector<glm::vec3>;
+
+/// Returns the 99th percentile of the distances between a[i] and b[i], as a fraction of `length`.
+double difference(const Vectors& a, const Vectors& b, float length) {
+  std::vector<double> error;
+  error.reserve(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    error.push_back(glm::distance(glm::dvec3(a[i]), glm::dvec3(b[i])) / double(length));
+  const auto at = error.begin() + std::ptrdiff_t((error.size() - 1) * 99 / 100);
+  std::nth_element(error.begin(), at, error.end());
+  return *at;
+}
+
+}  // namespace
+
+AdaptiveSteps::AdaptiveSteps(float span, int steps, float tolerance, int most)
+    : span_(span), tolerance_(tolerance), steps_(steps), most_(most) {
+  if (!(span > 0) || !(tolerance > 0) || steps < 1 || steps > most)
+    throw InputError(fmt::format(
+        "adaptive steps: frame length {} s, {} steps, tolerance {}, at most {} steps; frame length and tolerance must be above 0, and the number of steps must be from 1 to the limit",
+        span, steps, tolerance, most));
+}
+
+AdaptiveSteps::Frame AdaptiveSteps::advance(const cl::Queue& queue, MassSprings& masses,
+                                            std::vector<cl::Event>* launches) {
+  const Vectors offsets = masses.offsets(queue), speeds = masses.speeds(queue);
+  const auto moved = [&](int steps) {
+    masses.retime(span_ / float(steps));
+    masses.set(queue, offsets, speeds, frame_ * steps);
+    masses.enqueue(queue, steps, launches);
+    masses.check(queue);
+    return masses.offsets(queue);
+  };
+  // Computes one frame in `steps` steps. If the masses diverge, returns an empty result, so that advance()
+  // tries more steps.
+  const auto tried = [&](int steps) {
+    try {
+      return moved(steps);
+    } catch (const Diverged&) {
+      if (steps >= most_) throw;
+      return Vectors{};
+    }
+  };
+  Vectors coarse = tried(steps_);
+  for (;;) {
+    if (2 * steps_ > most_)
+      throw InputError(fmt::format(
+          "the tolerance {} needs more than {} time steps per frame; use a larger tolerance or a shorter frame",
+          tolerance_, most_));
+    Vectors fine = tried(2 * steps_);
+    const double error = coarse.empty() || fine.empty() ? std::numeric_limits<double>::infinity()
+                                                        : difference(coarse, fine, masses.length());
+    if (error <= double(tolerance_)) {
+      const Frame frame{2 * steps_, error};
+      if (error < 0.25 * double(tolerance_)) steps_ = std::max(1, steps_ / 2);
+      ++frame_;
+      return frame;
+    }
+    steps_ *= 2;
+    coarse = std::move(fine);
+  }
 }
 
 }  // namespace pelage::springs

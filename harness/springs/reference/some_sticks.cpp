@@ -65,8 +65,7 @@ reference::State moved_sticks(const SpringNetwork& topology, const DynamicsScene
                               std::vector<glm::dvec3> push, int frames) {
   if (scene.tolerance > 0)
     throw InputError(fmt::format(
-        "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons "
-        "with it (pelage run, pelage check) need dynamics.tolerance = 0",
+        "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons with it (pelage run, pelage check) need dynamics.tolerance = 0",
         scene.tolerance));
   const Dynamics dynamics = dynamics_of(scene, topology);
   const reference::System system{topology, dynamics, std::move(push)};

@@ -14,10 +14,9 @@ namespace pelage::springs {
 Scene scene_with_springs(const SubjectContext& context, const Case& which) {
   Scene scene = scene_of(context.experiment, which);
   if (!has_springs(scene.dynamics))
-    throw InputError(
-        fmt::format("{}: dynamics.topology is {}; this experiment needs sticks, prisms, separable-sticks or "
-                    "separable-prisms",
-                    which.name, scene.dynamics.topology));
+    throw InputError(fmt::format(
+        "{}: dynamics.topology is {}; this experiment needs sticks, prisms, separable-sticks or separable-prisms",
+        which.name, scene.dynamics.topology));
   return scene;
 }
 

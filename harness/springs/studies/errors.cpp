@@ -35,11 +35,7 @@ class ErrorStudy : public Study {
         masses_(queue_, setting_.topology, setting_.dynamics) {
     add_programs(programs_, {&masses_.program()});
   }
-  FrameSample frame() override {
-    FrameSample sample;
-    sample.wall_ms = from_rest(masses_).wall_ms;
-    return sample;
-  }
+  FrameSample frame() override { return {.wall_ms = from_rest(masses_).wall_ms}; }
   std::vector<Check> check(const Picture&) override {
     bounded(queue_, masses_);
     return {{"exact", "rms", error().rms, limit_.rms, false}};
@@ -185,8 +181,7 @@ std::unique_ptr<Subject> solver_turns(const cl::Device& device, const Setting& s
                                       double most_error) {
   if (!(most_error > 0))
     throw InputError(
-        "dynamics.tolerance = 0: the pipeline springs-turns needs the largest permitted rms error, as a "
-        "fraction of fur.length; give a tolerance above 0");
+        "dynamics.tolerance = 0: the pipeline springs-turns needs the largest permitted rms error, as a fraction of fur.length; give a tolerance above 0");
   const ErrorLimit limit{std::make_shared<Motions>(exact), most_error};
   Entrants entrants;
   enter(entrants, device, setting, default_solver, limit);  // the other times are divided by its time
@@ -215,6 +210,62 @@ std::unique_ptr<Subject> make_solver_turns(SubjectContext& context, const Case& 
   const Setting setting = setting_of(context, scene);
   return solver_turns(context.device, setting, exact_of(context, scene, setting),
                       double(scene.dynamics.tolerance));
+}
+
+// By default, backward Euler omits some derivatives of the forces. This study measures how much the omission
+// changes the error of backward Euler. The double-precision reference simulates once with the pruned
+// Jacobian, which omits these derivatives, and once with the full Jacobian.
+
+namespace {
+
+class JacobianStudy : public Study {
+ public:
+  JacobianStudy(const cl::Device& device, Setting setting, const Motions& exact)
+      : Study(device, std::move(setting)), exact_(exact) {}
+
+  FrameSample frame() override {
+    FrameSample sample;
+    sample.wall_ms = cost_of([&] { pruned_ = error(false); }).wall_ms;
+    sample.phase_wall_ms["full"] = cost_of([&] { full_ = error(true); }).wall_ms;
+    return sample;
+  }
+  std::vector<Check> check(const Picture&) override {
+    return {{"exact", "pruned rms", pruned_.rms, tolerance::lost_run, false},
+            {"exact", "full rms", full_.rms, tolerance::lost_run, false}};
+  }
+  void describe(Row& row) override {
+    Study::describe(row);
+    for (const auto& [name, found] : {std::pair("pruned", pruned_), std::pair("full", full_)}) {
+      row.metrics[std::string(name) + "_error_rms"] = {found.rms, "of the length"};
+      row.metrics[std::string(name) + "_error_p99"] = {found.percentile_99, "of the length"};
+    }
+  }
+
+ private:
+  // Simulates one second with the reference and returns the errors of the positions.
+  Spread error(bool full) const {
+    const SpringNetwork& topology = setting_.topology;
+    Dynamics dynamics = setting_.dynamics;
+    dynamics.solver =
+        *std::find_if(solvers.begin(), solvers.end(), [](const Solver& s) { return s.implicit; });
+    dynamics.full_jacobian = full;
+    const long steps = std::lround(1 / double(dynamics.step));
+    return spread(reference_offsets(topology, dynamics, rest_motions(topology), 0, steps), exact_.offset,
+                  double(topology.length));
+  }
+  Motions exact_;
+  Spread pruned_, full_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact) {
+  return std::make_unique<JacobianStudy>(device, std::move(setting), exact);
+}
+std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Case& which) {
+  const Scene scene = scene_with_springs(context, which);
+  const Setting setting = setting_of(context, scene);
+  return solver_jacobian(context.device, setting, exact_of(context, scene, setting));
 }
 
 }  // namespace pelage::springs

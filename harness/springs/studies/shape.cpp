@@ -59,8 +59,7 @@ class ShapeStudy : public Study {
         masses_(queue_, setting_.topology, setting_.dynamics) {
     if (!(seconds_ > 0))
       throw InputError(
-          "dynamics.time = 0: the pipeline springs-shape measures the fur after dynamics.time seconds; give "
-          "a time above 0");
+          "dynamics.time = 0: the pipeline springs-shape measures the fur after dynamics.time seconds; give a time above 0");
     add_programs(programs_, {&masses_.program()});
   }
   FrameSample frame() override { return {.wall_ms = from_rest(masses_, seconds_).wall_ms}; }

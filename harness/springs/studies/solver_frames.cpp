@@ -47,10 +47,7 @@ class SolverFrames : public Study {
       masses_.enqueue(queue_, substeps_);
       queue_.finish();
     });
-    FrameSample sample;
-    sample.wall_ms = cost.wall_ms;
-    sample.cpu_ms = cost.cpu_ms;
-    return sample;
+    return {.wall_ms = cost.wall_ms, .cpu_ms = cost.cpu_ms};
   }
 
   std::vector<Check> check(const Picture&) override {
@@ -132,10 +129,7 @@ class BaselineFrames : public Subject {
     // After their work, OpenMP threads wait in a loop for a short time, which uses CPU time. The pause of 10
     // ms keeps this CPU time out of the next measurement.
     if (baseline_.threads > 1) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    FrameSample sample;
-    sample.wall_ms = cost.wall_ms;
-    sample.cpu_ms = cost.cpu_ms;
-    return sample;
+    return {.wall_ms = cost.wall_ms, .cpu_ms = cost.cpu_ms};
   }
   Picture read() override { return {}; }
   std::vector<Check> check(const Picture&) override { return {}; }

@@ -131,7 +131,6 @@ std::vector<ChainMoment> moments(const ChainDynamics& dynamics, long first, int 
 }
 
 std::vector<float> strand_columns(const std::vector<Chain>& chains, const springs::Wind& wind) {
-  const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
   std::vector<float> table(slices_of(chains.size()) * slice * STRAND_COLUMNS);
   for (std::size_t i = 0; i < slices_of(chains.size()) * slice; ++i) {
     const Chain chain = i < chains.size() ? chains[i] : Chain{};
@@ -145,8 +144,7 @@ std::vector<float> strand_columns(const std::vector<Chain>& chains, const spring
     in_range("stiffness of a strand's second segment (1/s^2)", chain.stiffness_second, 0, 1e8f);
     in_range("largest angle of a strand's first segment (degrees)", chain.limit_first, 1, 180);
     in_range("largest angle of a strand's second segment (degrees)", chain.limit_second, 1, 180);
-    const double phase =
-        2 * std::numbers::pi * glm::dot(glm::dvec3(chain.root), along) / double(wind.wavelength);
+    const double phase = springs::gust_phase(wind, chain.root);
     const auto put = [&](int column, float value) {
       table[column_of(i, STRAND_COLUMNS, std::size_t(column))] = value;
     };

@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 #include "harness/error.hpp"
+#include "harness/hash.hpp"
+#include "harness/mesh/disk_cache.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/random.hpp"
-#include "harness/strands/groom/layer_maps.hpp"
+#include "harness/scene/scene_toml.hpp"
 #include "harness/strands/groom/roots.hpp"
 #include "harness/strands/groom/steps.hpp"
 
@@ -229,6 +234,86 @@ void set_chains(Fur& fur, const ChainScene& chain) {
 
 Fur grow(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat) {
   Fur fur = grow_layers(mesh, strands, coat);
+  set_chains(fur, strands.chain);
+  return fur;
+}
+
+std::vector<std::uint8_t> layer_ranks(std::span<const LayerBounds> bounds, const Camera& camera,
+                                      std::span<const float> biases, std::span<const int> offsets) {
+  const std::size_t count = bounds.size();
+  if (count > 256 || biases.size() != count || offsets.size() != count)
+    throw InputError(
+        "order of the fur layers: give one bias and one offset per layer, for at most 256 layers");
+  const glm::dvec4 row(camera.row_w);
+  const auto depth = [&](std::size_t i) {
+    const glm::dvec3 centre = 0.5 * (glm::dvec3(bounds[i].low) + glm::dvec3(bounds[i].high));
+    return row.x * centre.x + row.y * centre.y + row.z * centre.z + row.w + double(biases[i]);
+  };
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return depth(a) < depth(b); });
+  std::vector<std::tuple<long, int, std::size_t>> places;  // place, offset, layer
+  for (std::size_t k = 0; k < count; ++k)
+    places.emplace_back(long(k) + offsets[order[k]], offsets[order[k]], order[k]);
+  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+  });
+  std::vector<std::uint8_t> ranks(count);
+  for (std::size_t k = 0; k < count; ++k) ranks[std::get<2>(places[k])] = std::uint8_t(k);
+  return ranks;
+}
+
+namespace {
+
+constexpr std::size_t least_block = 16, block_part = 16;
+
+}  // namespace
+
+std::vector<std::uint32_t> prefix_order(std::span<const float> place, std::span<const std::uint32_t> near) {
+  std::vector<std::uint32_t> order(place.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return place[a] < place[b]; });
+  for (std::size_t first = 0; first < order.size();) {
+    const std::size_t last = std::min(order.size(), first + std::max(least_block, first / block_part));
+    std::stable_sort(order.begin() + std::ptrdiff_t(first), order.begin() + std::ptrdiff_t(last),
+                     [&](std::uint32_t a, std::uint32_t b) { return near[a] < near[b]; });
+    first = last;
+  }
+  return order;
+}
+
+namespace {
+
+/// The hash of everything that grow_layers() reads.
+std::string key_of(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat) {
+  Scene scene;
+  scene.strands.layers = strands.layers;
+  scene.strands.chain.first_segment = strands.chain.first_segment;
+  for (StrandLayerScene& layer : scene.strands.layers) {
+    layer.order_bias = StrandLayerScene{}.order_bias;
+    layer.order_offset = StrandLayerScene{}.order_offset;
+  }
+  return Hash()
+      .text(mesh.hash)
+      .text(scene_hash(scene))
+      .number(std::uint64_t(coat.size))
+      .values(coat.texel)
+      .number(fur_recipe)
+      .hex();
+}
+
+}  // namespace
+
+Fur kept_fur(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat) {
+  if (mesh.hash.empty()) return grow(mesh, strands, coat);
+  const auto lists = [](const auto& store, auto& fur) {
+    return store(fur.keys) && store(fur.chains) && store(fur.points) && store(fur.strands) &&
+           store(fur.bounds) && store(fur.layers) && store(fur.film);
+  };
+  Fur fur = cached<Fur>(cache_folder() / "fur" / key_of(mesh, strands, coat), "pelage fur 1\n",
+                        std::uintmax_t(512) << 20, lists, [&] { return grow_layers(mesh, strands, coat); });
   set_chains(fur, strands.chain);
   return fur;
 }

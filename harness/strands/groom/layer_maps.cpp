@@ -1,5 +1,3 @@
-#include "harness/strands/groom/layer_maps.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "harness/error.hpp"
 #include "harness/prepare/random.hpp"
+#include "harness/strands/groom/steps.hpp"
 
 namespace pelage::strands {
 namespace {

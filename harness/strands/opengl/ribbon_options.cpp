@@ -36,10 +36,9 @@ RibbonOptions ribbon_options(const std::string& text) {
     else if (name == "target")
       set(options.target, name, value, {"rgba32f", "rgba16f", "rgba8"});
     else
-      throw InputError(
-          fmt::format("option \"{}\" of the OpenGL baseline of strands: give expand=WAY or "
-                      "target=FORMAT, separated by commas",
-                      item));
+      throw InputError(fmt::format(
+          "option \"{}\" of the OpenGL baseline of strands: give expand=WAY or target=FORMAT, separated by commas",
+          item));
   }
   return options;
 }

@@ -43,12 +43,10 @@ void check_frames(const Scene& scene) {
   if (m.velocity != still.velocity || m.shake != still.shake || m.spin != still.spin ||
       m.swing != still.swing)
     throw InputError(
-        "dynamics.motion: the frames of the mesh (mesh.frames) contain the motion, so the object must not "
-        "move; leave out dynamics.motion");
+        "dynamics.motion: the frames of the mesh (mesh.frames) contain the motion, so the object must not move; leave out dynamics.motion");
   if (scene.strands.chain.collision == "body")
     throw InputError(
-        "strands.chain.collision: \"body\" needs a mesh that does not deform, but mesh.frames is above 1; "
-        "give \"plane\"");
+        "strands.chain.collision: \"body\" needs a mesh that does not deform, but mesh.frames is above 1; give \"plane\"");
 }
 
 /// Sets the camera, the look and the depth range of the scene. The other members of `input` are known.
@@ -158,6 +156,47 @@ std::shared_ptr<const StrandInput> with_view(const StrandInput& input, const Sce
 bool is_view_key(std::string_view key) {
   if (key.starts_with("strands.")) return key != "strands.skin" && !key.starts_with("strands.chain.");
   return key.starts_with("camera.") || key.starts_with("shading.") || key == "image.background";
+}
+
+namespace {
+
+std::vector<glm::vec3> rest_of(const Fur& fur) {
+  std::vector<glm::vec3> rest;
+  for (const KeyStrand& key : fur.keys) rest.push_back(key.rest);
+  return rest;
+}
+
+}  // namespace
+
+SkinFrames::SkinFrames(const Scene& scene, std::shared_ptr<const Mesh> mesh, const Fur& fur,
+                       std::shared_ptr<const SkinSurface> surface)
+    : mesh_(std::move(mesh)),
+      skin_(weld(*mesh_)),
+      motion_(*mesh_, fur.points, rest_of(fur)),
+      surface_(std::move(surface)),
+      duration_(double(scene.dynamics.step) * scene.dynamics.substeps),
+      repeat_(scene.mesh.after_frames == "repeat") {}
+
+void SkinFrames::advance() {
+  // The first drawn frame shows the first frame of the mesh, as the skin at rest does.
+  if (calls_++ == 1) return;
+  const std::size_t count = mesh_->frames.size();
+  if (!repeat_ && next_ == count) {
+    frame_.velocity.assign(frame_.velocity.size(), glm::vec3(0));
+    frame_.acceleration.assign(frame_.acceleration.size(), glm::vec3(0));
+    return;
+  }
+  const std::vector<glm::vec3>& position = mesh_->frames[next_ % count];
+  ++next_;
+  frame_ = motion_.next(position, duration_);
+  if (!surface_) return;
+  auto surface = std::make_shared<SkinSurface>(*surface_);
+  const std::vector<glm::dvec3> normals = normals_of(skin_, position);
+  for (std::size_t v = 0; v < surface->position.size(); ++v) {
+    surface->position[v] = position[mesh_->weld[v]];
+    surface->normal[v] = glm::vec3(normals[mesh_->weld[v]]);
+  }
+  surface_ = std::move(surface);
 }
 
 }  // namespace pelage::strands

@@ -119,5 +119,67 @@ TEST(Determinism, MappingsAgree) {
   EXPECT_EQ(differing, 0u);
 }
 
+// Tests that the comparison of the device's pictures with the reference detects mistakes. Each test plants
+// deliberate mistakes (mutants) in the reference. The comparison must then fail for both scenes of the test,
+// and pass without a mistake.
+
+using reference::Mutant;
+
+constexpr Mutant planted[] = {
+    Mutant::layer_missing, Mutant::height_without_one, Mutant::triangles_reversed, Mutant::front_faces_culled,
+    Mutant::uv_swapped,    Mutant::mask_bilinear,      Mutant::droplets_reversed,  Mutant::log_negated};
+/// Mistakes in the light of wet fur, in addition.
+constexpr Mutant planted_wet[] = {Mutant::tangent_reversed, Mutant::eye_reversed, Mutant::facing_swapped};
+
+/// Returns the frame with the values of pelage's first version.
+std::shared_ptr<const FrameInput> with_first_readings(FrameInput input) {
+  input.scene.blend.faces = "all";
+  input.scene.clump.scale = "relative";
+  input.scene.clump.cells = "separate";
+  input.scene.shading.tangent = "paper";
+  input.scene.wetness.blend = "near";
+  return std::make_shared<FrameInput>(std::move(input));
+}
+
+/// `drawn` is the device's picture of the scene. `input` may have wrong values.
+void expect_seen(const FrameInput& input, Mutant mutant, const Picture& drawn, std::size_t least_pixels) {
+  const Agreement agreement = compare(drawn_by_reference(input, mutant), drawn);
+  EXPECT_GT(agreement.pixels, least_pixels);
+  EXPECT_FALSE(within(agreement)) << "mutant " << int(mutant) << ": " << describe(agreement);
+}
+
+TEST(Mutants, AreSeen) {
+  EXPECT_TRUE(drawn_alike(small_frame("curling"), "tile"));
+  for (const auto& [frame, least_pixels] :
+       {std::pair(small_frame("curling"), 5000u), std::pair(model_frame("torus", 16, "curling"), 20000u)}) {
+    const auto input = with_first_readings(*frame);
+    const Picture drawn = drawn_by_device(input, "tile");
+    for (const Mutant mutant : planted) expect_seen(*input, mutant, drawn, least_pixels);
+  }
+}
+
+// The same under the wet model, with the default readings, and a reference that ignores one of the constants
+// sigma of W Eq. 3 and 5.
+TEST(WetMutants, AreSeen) {
+  for (const bool small : {true, false}) {
+    const auto input = small ? small_frame("wet") : model_frame("torus", 16, "wet");
+    const std::size_t least_pixels = small ? 5000 : 20000;
+    const Picture drawn = drawn_by_device(input, "tile");
+    EXPECT_TRUE(same(drawn_by_reference(*input), drawn));
+    for (const Mutant mutant : planted_wet) expect_seen(*input, mutant, drawn, least_pixels);
+    for (const Mutant mutant : planted)
+      // With blend.faces "back-then-front", no two fragments of one layer of the torus that face the same way
+      // lie on one pixel, so the order of the triangles has no effect there.
+      if (small || mutant != Mutant::triangles_reversed) expect_seen(*input, mutant, drawn, least_pixels);
+    for (float ShadingScene::*sigma :
+         {&ShadingScene::occlusion, &ShadingScene::darkening, &ShadingScene::wet_specular}) {
+      FrameInput mistaken = *input;
+      EXPECT_GT(mistaken.scene.shading.*sigma, 0.1f);
+      mistaken.scene.shading.*sigma = 0;
+      expect_seen(mistaken, Mutant::none, drawn, 5000);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pelage

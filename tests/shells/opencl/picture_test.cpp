@@ -197,5 +197,52 @@ TEST_P(SubstepCounts, OtherReadingsToo) {
 
 INSTANTIATE_TEST_SUITE_P(Device, SubstepCounts, testing::Values(2, 8));
 
+// Tests shading.sides = "two": an open surface that is seen from behind is lit as if its normals faced the
+// eye.
+
+/// Returns the mean red value of the pixels that show the surface.
+double brightness(const Picture& picture) {
+  double sum = 0;
+  std::size_t pixels = 0;
+  for (const auto& p : picture.pixel)
+    if (p.a > .5f) {
+      sum += double(p.r);
+      ++pixels;
+    }
+  return pixels == 0 ? 0 : sum / double(pixels);
+}
+
+struct TwoSided : testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(TwoSided, IsTheReferencesPicture) {
+  const auto& [mapping, shading] = GetParam();
+  for (const float side : {1.0f, -1.0f}) {
+    const auto input = std::make_shared<FrameInput>(square_seen_from(side, shading, "two"));
+    EXPECT_TRUE(drawn_alike(input, mapping, 2000)) << side;
+  }
+}
+
+TEST_P(TwoSided, LightsTheBackAndLeavesTheFront) {
+  const char* mapping = std::get<0>(GetParam());
+  const char* shading = std::get<1>(GetParam());
+  const auto drawn = [&](float side, const char* sides) {
+    return drawn_by_device(std::make_shared<FrameInput>(square_seen_from(side, shading, sides)), mapping);
+  };
+  const Picture front = drawn(1, "one"), front_two = drawn(1, "two");
+  EXPECT_EQ(compare(front, front_two).worst, 0.0);
+  // Fur does not shadow the back of the surface, which shows skin. The back must be at least half as bright
+  // as the fur on the front.
+  const double back = brightness(drawn(-1, "two"));
+  EXPECT_GT(back, 5 * brightness(drawn(-1, "one")));
+  EXPECT_GT(back, 0.5 * brightness(front));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, TwoSided,
+                         testing::Combine(testing::Values("tile", "pixel", "group"),
+                                          testing::Values("curling", "wet", "lambert")),
+                         [](const auto& given) {
+                           return std::string(std::get<0>(given.param)) + "_" + std::get<1>(given.param);
+                         });
+
 }  // namespace
 }  // namespace pelage

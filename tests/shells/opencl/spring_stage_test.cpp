@@ -6,9 +6,8 @@
 
 #include <algorithm>
 
+#include "harness/compare/frame_output.hpp"
 #include "harness/shells/opencl/raster_stage.hpp"
-#include "harness/springs/model/scene.hpp"
-#include "harness/springs/reference/reference.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -125,14 +124,8 @@ std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const st
 
 /// Returns the top minus the base of each stick after `frames` frames, simulated in double precision.
 std::vector<glm::dvec3> sticks_of(const FrameInput& input) {
-  const springs::SpringNetwork topology = springs::topology_of(input);
-  const springs::Dynamics dynamics = springs::dynamics_of(input.scene.dynamics, topology);
-  const std::vector<glm::vec3> push = springs::pushes(topology, *input.mesh, input.scene.dynamics.poke);
-  const springs::reference::System system{topology, dynamics, {push.begin(), push.end()}};
-  springs::reference::State state = springs::reference::rest(topology);
-  for (int i = 0; i < frames * input.scene.dynamics.substeps; ++i)
-    state = springs::reference::step(system, state, i);
-  return springs::reference::offsets(topology, state);
+  const std::vector<glm::vec3> sticks = reference_motion(input, frames).tips;
+  return {sticks.begin(), sticks.end()};
 }
 
 Picture reference_of(const FrameInput& input, const std::vector<glm::dvec3>& sticks,

@@ -164,9 +164,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
       if (force[i] != glm::vec3(0)) found.push_back(i);
     return found;
   };
-  // The poke (a local force) acts on the face that its ray meets first. The next lines find this face. The
-  // ray runs in the direction -x on the line y = 0.1, z = 0.05. It first meets the face that crosses this
-  // line at the greatest x.
+  // The ray runs in the direction -x on the line y = 0.1, z = 0.05, so it first meets the face that crosses
+  // this line at the greatest x.
   std::size_t face = 0;
   double farthest = -1;
   for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {
@@ -185,8 +184,7 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   }
   ASSERT_GT(farthest, 0.5);
   EXPECT_EQ(poked(), (std::vector<std::size_t>{3 * face, 3 * face + 1, 3 * face + 2}));
-  // If the poke has a radius above 0, it pushes the sticks around the point where the ray meets the mesh. It
-  // does not push the sticks around the ray's origin.
+  // With a radius above 0, the poke pushes the sticks around the point where the ray meets the mesh.
   poke.radius = 0.35f;
   const std::vector<std::size_t> around = poked();
   EXPECT_GT(around.size(), 3u);

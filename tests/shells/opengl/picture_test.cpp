@@ -2,9 +2,15 @@
 // programs were written from docs/shells.md.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/shells/opencl/shells.hpp"
+#include "harness/mesh/write_ply.hpp"
+#include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/shells/opengl/scenes.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/style_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
@@ -32,14 +38,6 @@ void expect_same(const Cases& cases, std::size_t least_pixels = 5000) {
   }
 }
 
-Picture drawn_by_opencl(const std::shared_ptr<const FrameInput>& input) {
-  static const cl::Device device = cl::choose_device("");  // keeps the programs that the tests have built
-  Shells shells(device, input);
-  shells.advance(frames - 1);
-  shells.frame();
-  return shells.read();
-}
-
 struct Case {
   const char* model;
   const char* shading;
@@ -51,7 +49,7 @@ TEST_P(Models, LookLikeTheReferenceAndTheOpenClPipeline) {
   const auto input = model_frame(GetParam().model, 16, GetParam().shading);
   const Picture drawn = drawn_by_opengl(input);
   EXPECT_TRUE(same(drawn_by_reference(*input), drawn, 15000));
-  expect_agreement(drawn_by_opencl(input), drawn, 15000);
+  expect_agreement(drawn_with(input, {}), drawn, 15000);
 }
 
 INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Models,
@@ -109,17 +107,9 @@ TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
 }
 
 TEST(OpenGlPicture, AnOpenSurfaceLitOnBothSides) {
-  Scene scene = synthetic::lively_scene();
-  scene.fur.length = .05f;
-  scene.shading.sides = "two";
-  scene.shading.lights = {LightScene{{.2f, .3f, -1}, 1.5f}};
-  scene.camera.eye = {.3f, .4f, -1.6f};
-  scene.camera.target = {0, 0, 0};
-  scene.camera.up = {0, 1, 0};
   for (const char* shading : {"curling", "wet"}) {
     SCOPED_TRACE(shading);
-    scene.shading.model = shading;
-    expect_same(synthetic::frame(scene, synthetic::square(1.4), 12, 12, 30), 2000);
+    expect_same(square_seen_from(-1, shading, "two"), 2000);
   }
 }
 
@@ -180,6 +170,67 @@ TEST(OpenGlPicture, MistakesAreSeen) {
     EXPECT_LT(agreement.psnr, tolerance::other_filter_psnr)
         << "mutant " << int(mutant) << ": " << describe(agreement);
   }
+}
+
+// Compares the OpenGL baseline's pictures of fur with maps (docs/shells.md, section 8) and with colliders
+// (docs/shells.md, section 9) with the reference. Also tests water that changes over time (section 10).
+
+using namespace style_scenes;
+
+void set_maps(Scene& s, const std::filesystem::path& map) {
+  s.fur.length_map = s.fur.density_map = s.fur.comb_map = s.curl.radius_map = s.curl.turns_map = map;
+}
+
+TEST(OpenGlStyle, LooksLikeTheReference) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  const auto input = small_torus([&](Scene& s) { set_maps(s, map); });
+  EXPECT_TRUE(same(drawn_by_reference(*input), drawn_by_opengl(input)));
+}
+
+TEST(OpenGlStyle, MapsOfOneHalfAreHalfTheKeysBitForBit) {
+  const test::Folder folder;
+  const auto half = write_map(folder.path / "half.exr", 2, 3, [](glm::vec2) { return 0.5f; });
+  const Picture mapped = drawn_by_opengl(small_torus([&](Scene& s) { set_maps(s, half); }));
+  const Picture halved = drawn_by_opengl(small_torus([](Scene& s) {
+    for (float* key : {&s.fur.length, &s.fur.density, &s.fur.comb, &s.curl.radius, &s.curl.turns})
+      *key *= 0.5f;
+  }));
+  EXPECT_TRUE(same_bits(mapped, halved));
+}
+
+TEST(OpenGlContact, LooksLikeTheReference) {
+  const test::Folder folder;
+  const auto torus = folder.path / "torus.ply";
+  write_ply(torus, *load_model("torus-24x16"));
+  const auto input = long_fur([&](Scene& s) { press(s, torus); });
+  EXPECT_TRUE(same(drawn_by_reference(*input), drawn_by_opengl(input)));
+}
+
+TEST(OpenGlWater, ANewMaskGivesThePictureOfAFreshScene) {
+  FrameInput input = *small_frame("wet");
+  input.scene.wetness.soak = .3f;
+  ASSERT_GT(input.droplets.size(), 0u);
+  const auto shared = std::make_shared<FrameInput>(input);
+  const std::vector<glm::vec4> mask = mask_of(input), none(mask.size());
+  OpenGl changed(shared, none);
+  changed.bend(tips_of(input));
+  changed.frame();
+  const Picture dry = changed.read();
+  changed.set_mask(mask);
+  changed.frame();
+  const Picture wet = changed.read(), fresh = drawn_by_opengl(shared);
+  EXPECT_FALSE(same_bits(wet, dry));
+  EXPECT_TRUE(same_bits(wet, fresh));
+  for (const Check& check : other_filter_checks(against_reference, compare(wet, drawn_by_reference(input))))
+    EXPECT_TRUE(check.holds()) << check.metric << " " << check.value;
+  EXPECT_THROW(changed.set_mask({}), std::exception);
+}
+
+TEST(OpenGlWater, OfAStillSceneKeepsItsMask) {
+  const auto still = small_frame("wet");
+  OpenGl opengl(still, mask_of(*still));
+  EXPECT_THROW(opengl.set_mask(mask_of(*still)), std::logic_error);
 }
 
 }  // namespace

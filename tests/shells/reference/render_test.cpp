@@ -100,10 +100,7 @@ TEST(ReferenceRender, EightBitsRoundEveryPixelAndStayNear) {
 
 /// Returns a scene with the camera close above a square. The square extends behind the camera.
 Scene skimming_scene() {
-  Scene scene = synthetic::lively_scene();
-  scene.fur.comb = 0;
-  scene.curl.radius = 0;
-  scene.dynamics = {};
+  Scene scene = synthetic::upright_scene();
   scene.fur.length = .02f;
   scene.camera.eye = {.13f, -.21f, .25f};
   scene.camera.target = {.3f, 1.2f, 0};
@@ -176,10 +173,7 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
   // Every texel has coverage 1 and shade 2/3. The camera looks from above, so only the outermost layer is
   // visible. In Eq. 6 of S, the height of this layer is h = 1, and the strand direction T and the normal nu
   // are the z axis.
-  Scene scene = synthetic::lively_scene();
-  scene.fur.comb = 0;
-  scene.curl.radius = 0;
-  scene.dynamics = {};
+  Scene scene = synthetic::upright_scene();
   scene.camera.eye = {0, 0, 4};
   scene.shading.wrap = 0;
   scene.shading.lights = {LightScene{{0, 3, 4}, 2}};
@@ -205,10 +199,7 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
 TEST(ReferenceRender, HalfTransparentLayersAddUpBackToFront) {
   // The fur is black with coverage 51/255 = .2 everywhere, and the skin is white in ambient light. The 16
   // layers let .8^16 of the skin's brightness pass.
-  Scene scene = synthetic::lively_scene();
-  scene.fur.comb = 0;
-  scene.curl.radius = 0;
-  scene.dynamics = {};
+  Scene scene = synthetic::upright_scene();
   scene.camera.eye = {0, 0, 4};
   scene.shading.ambient = 1;
   scene.shading.shadow = 1e6f;

@@ -151,15 +151,12 @@ FrameInput sheet(const Scene& scene) {
 }
 
 Scene sheet_scene(int layers, int substeps) {
-  Scene scene = synthetic::lively_scene();
+  Scene scene = synthetic::upright_scene();
   scene.fur.layers = layers;
   scene.fur.substeps = substeps;
   scene.fur.layer_spacing = "uniform";
   scene.fur.length = .3f;
-  scene.fur.comb = 0;
-  scene.curl.radius = 0;
   scene.curl.turns = 0;
-  scene.dynamics = {};
   scene.coat.skin = glm::vec3(1);
   scene.shading.ambient = 1;
   scene.shading.shadow = 1e6f;

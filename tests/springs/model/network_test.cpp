@@ -10,15 +10,12 @@
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
-#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs {
 namespace {
 
-using test::cut_in_two;
-using test::edge_count;
-using test::sphere;
-using test::square;
+using namespace test;
 
 constexpr float length = 0.05f;
 

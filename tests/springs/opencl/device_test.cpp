@@ -14,7 +14,6 @@
 #include "harness/error.hpp"
 #include "harness/springs/model/layout.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
-#include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 #include "tests/support/texts.hpp"
 

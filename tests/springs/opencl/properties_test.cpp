@@ -9,7 +9,6 @@
 #include "harness/springs/reference/reference.hpp"
 #include "tests/springs/opencl/shim.hpp"
 #include "tests/springs/support/device.hpp"
-#include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs {
@@ -155,8 +154,7 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  // peaks[0] is the initial angle. The loop does not update `highest` before the angle's first change of
-  // sign. The first value that the loop appends (peaks[1]) is therefore 0 and is removed.
+  // The loop does not update `highest` before the angle's first change of sign, so peaks[1] is 0.
   peaks.erase(peaks.begin() + 1);
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;

@@ -1,6 +1,6 @@
 #pragma once
 #include "harness/cl/program.hpp"
-#include "tests/springs/support/cases.hpp"
+#include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs::test {
 

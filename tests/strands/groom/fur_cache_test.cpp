@@ -9,9 +9,7 @@ namespace pelage::strands {
 namespace {
 
 namespace fs = std::filesystem;
-using test::difference;
-using test::even;
-using test::plain_coat;
+using namespace test;
 
 class FurCache : public ::testing::Test {
  protected:

@@ -9,12 +9,7 @@ namespace pelage::strands {
 namespace {
 
 using pelage::test::Folder;
-using test::difference;
-using test::even;
-using test::picture;
-using test::plain_coat;
-using test::root_of;
-using test::square;
+using namespace test;
 
 TEST(Fur, HasAKeyStrandForEachLayerAtEachCornerOfATriangleWithStrands) {
   StrandsScene scene = even(40);

@@ -1,5 +1,5 @@
 // Tests locks with the reference's curves, which share no code with
-// locks.cpp.
+// steps.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

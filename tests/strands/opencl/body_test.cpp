@@ -9,7 +9,6 @@
 #include "harness/prepare/random.hpp"
 #include "harness/strands/opencl/chains.hpp"
 #include "tests/strands/support/meshes.hpp"
-#include "tests/strands/support/step_errors.hpp"
 #include "tests/strands/support/strands.hpp"
 
 namespace pelage::strands::test {
@@ -59,9 +58,7 @@ const Scene& scene() {
 TEST(ChainBody, StepsAgreeWithTheReference) {
   const auto& [mesh, chains, d] = scene();
   const Errors errors = step_errors(chains, d);
-  errors.print();
-  EXPECT_LT(errors.most(errors.direction), tolerance::chain_direction);
-  EXPECT_LT(errors.most(errors.rate), tolerance::chain_rate);
+  errors.expect_small();
   EXPECT_GT(double(errors.in_body), 0.01 * double(errors.rate.size()));
 }
 

@@ -8,7 +8,6 @@
 #include "harness/error.hpp"
 #include "harness/strands/opencl/chains.hpp"
 #include "tests/strands/support/meshes.hpp"
-#include "tests/strands/support/step_errors.hpp"
 #include "tests/strands/support/strands.hpp"
 
 namespace pelage::strands::test {
@@ -118,9 +117,7 @@ TEST(ChainSkin, StepsOnATwistingCylinderAgreeWithTheReference) {
       }
     }
   }
-  errors.print();
-  EXPECT_LT(errors.most(errors.direction), tolerance::chain_direction);
-  EXPECT_LT(errors.most(errors.rate), tolerance::chain_rate);
+  errors.expect_small();
   EXPECT_GT(double(errors.touching), 0.005 * double(errors.rate.size()));
 }
 

@@ -11,7 +11,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/strands/opencl/chains.hpp"
-#include "tests/strands/support/step_errors.hpp"
+#include "tests/strands/support/strands.hpp"
 #include "tests/support/opencl_as_cpp.hpp"
 
 #pragma GCC diagnostic push
