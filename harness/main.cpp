@@ -23,10 +23,7 @@ std::string version() {
   return fmt::format(
       "pelage {} ({}{}, {})\n"
       "GPL-3.0-or-later\n"
-      "To cite it, name the version and the revision: \"pelage: an OpenCL research benchmark harness for "
-      "real-time fur and grass, version {}, revision {}\";\nCITATION.cff contains this citation for "
-      "reference managers. Also cite the papers whose systems you timed; the report's references.bib lists "
-      "them.",
+      "To cite it, name the version and the revision: \"pelage: an OpenCL research benchmark harness for real-time fur and grass, version {}, revision {}\";\nCITATION.cff contains this citation for reference managers. Also cite the papers whose systems you timed; the report's references.bib lists them.",
       build.version, build.revision, build.dirty ? ", modified" : "", build.compiler, build.version,
       build.revision.substr(0, 12));
 }

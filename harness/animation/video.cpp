@@ -46,8 +46,7 @@ void check_video(const std::string& option, const fs::path& file, const fs::path
   if (folder_of(file) != folder_of(frames / file.filename())) require_place(file);
   if (!on_path("ffmpeg"))
     throw InputError(fmt::format(
-        "{} {}: needs the program ffmpeg, which is not installed (Debian package: ffmpeg); frames "
-        "need no ffmpeg",
+        "{} {}: needs the program ffmpeg, which is not installed (Debian package: ffmpeg); frames need no ffmpeg",
         option, file.string()));
 }
 

@@ -125,10 +125,11 @@ void read_relation(Table table, Claim& claim) {
 /// requires a slope above 0.
 void read_direction(const std::string& direction, const Table& table, Claim& claim) {
   if (direction != "decreasing" && direction != "increasing")
-    table.refuse("relation",
-                 fmt::format("relation = \"{}\" is unknown; give \"decreasing\", \"increasing\" or a table "
-                             "such as {{ at_most = 0.5 }}",
-                             direction));
+    table.refuse(
+        "relation",
+        fmt::format(
+            "relation = \"{}\" is unknown; give \"decreasing\", \"increasing\" or a table such as {{ at_most = 0.5 }}",
+            direction));
   if (claim.effect != Effect::elasticity && claim.effect != Effect::ratio_trend)
     table.refuse("relation", fmt::format("\"{}\" needs the effect elasticity or ratio-trend", direction));
   (direction == "decreasing" ? claim.region.high : claim.region.low) = 0;

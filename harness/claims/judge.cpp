@@ -90,9 +90,7 @@ void explain_undecided(Judged& judged, const Decision& without_spread, std::size
     judged.reason = "the interval contains a limit of the relation";
   else
     judged.reason = fmt::format(
-        "the rows come from {} of the {} processes that are needed. pelage therefore assumes that times vary "
-        "by {:g}% between processes, and with this variation the interval contains a limit of the relation. "
-        "Run the experiment with --repeat {}",
+        "the rows come from {} of the {} processes that are needed. pelage therefore assumes that times vary by {:g}% between processes, and with this variation the interval contains a limit of the relation. Run the experiment with --repeat {}",
         judged.processes, wanted, 100 * judged.claim.process_spread, wanted);
 }
 

@@ -25,8 +25,7 @@ int print_claims(const ClaimsOptions& options) {
   for (std::size_t i = 1; i < sets.size(); ++i)
     fmt::print(
         stderr,
-        "pelage: {} rows are not used: they have the same experiment and case names as other rows, "
-        "but measured different inputs ({}). To judge the claims by these rows, give only their journals\n",
+        "pelage: {} rows are not used: they have the same experiment and case names as other rows, but measured different inputs ({}). To judge the claims by these rows, give only their journals\n",
         sets[i].rows.size(), sets[i].differs);
   if (options.csv == "-")
     fmt::print("{}", csv_lines(claims::table_of(judged)));

@@ -127,9 +127,9 @@ int list_devices(const DevicesOptions& options) {
 void add_devices(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<DevicesOptions>(
       app, chosen, "devices", "List every OpenCL platform and device", list_devices);
-  command.add_flag("--measure", options.measure,
-                   "Measure the event timer, the memory bandwidth, the arithmetic peak and the cost of a "
-                   "launch (about 2 s per device)");
+  command.add_flag(
+      "--measure", options.measure,
+      "Measure the event timer, the memory bandwidth, the arithmetic peak and the cost of a launch (about 2 s per device)");
   command.add_flag("--json", options.json, "Print JSON");
 }
 

@@ -136,9 +136,9 @@ void add_diagram(CLI::App& app, Chosen& chosen) {
   command.add_option("kind", options.kind, help)->required()->check(CLI::IsMember(names))->type_name("KIND");
   add_scene_options(command, options.scene, true);
   command
-      .add_option("-o,--output", options.output,
-                  "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn "
-                  "in both formats, beside the .csv; - prints the table")
+      .add_option(
+          "-o,--output", options.output,
+          "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn in both formats, beside the .csv; - prints the table")
       ->type_name("FILE")
       ->capture_default_str();
   command.add_option("--side", options.side, "Pixels per side of the mask")

@@ -56,10 +56,10 @@ std::vector<std::string> missing_shards(const std::vector<RunState>& states) {
 void note_deals(const std::vector<RunState>& states) {
   for (const RunState& state : states)
     if (state.dealt_differently)
-      fmt::print(stderr,
-                 "pelage: warning: {} {}: the shards were started with different cases or with different "
-                 "--balance results, so that a case may belong to no shard\n",
-                 state.experiment, state.where);
+      fmt::print(
+          stderr,
+          "pelage: warning: {} {}: the shards were started with different cases or with different --balance results, so that a case may belong to no shard\n",
+          state.experiment, state.where);
 }
 
 void note_result(const MergeOptions& options, const Merge& merge, std::size_t pictures) {
@@ -107,16 +107,17 @@ void add_merge(CLI::App& app, Chosen& chosen) {
   command.add_option("results", options.results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
-  command.add_flag("--keep-apart", options.keep_apart,
-                   "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in "
-                   "OUT, instead of refusing them");
+  command.add_flag(
+      "--keep-apart", options.keep_apart,
+      "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in OUT, instead of refusing them");
   command.add_flag("--dry-run", options.dry_run, "Print missing shards and cases, and write nothing");
-  CLI::Option* expect = command
-                            .add_option("--expect", options.expect,
-                                        "Also print the cases of this experiment that were not measured; the "
-                                        "next options select its cases, as in pelage run")
-                            ->allow_extra_args(false)
-                            ->type_name("EXPERIMENT|FILE.toml");
+  CLI::Option* expect =
+      command
+          .add_option(
+              "--expect", options.expect,
+              "Also print the cases of this experiment that were not measured; the next options select its cases, as in pelage run")
+          ->allow_extra_args(false)
+          ->type_name("EXPERIMENT|FILE.toml");
   declare_cases(command, options.expected);
   for (const char* name : {"--preset", "--model", "--up", "--set", "--axis", "--filter"})
     command.get_option(name)->needs(expect);

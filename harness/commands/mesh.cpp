@@ -112,17 +112,14 @@ void print_mesh(const Mesh& mesh) {
              t.manifold() ? "manifold"
                           : fmt::format("NOT manifold: {} edges and {} points", t.bad_edges, t.bad_points));
   fmt::print(
-      "UV: {} chart{}{}, {:.1f}% of the square covered; flipped {} faces, {:.4f}% of the map; overlapping "
-      "{:.4f}%\n",
+      "UV: {} chart{}{}, {:.1f}% of the square covered; flipped {} faces, {:.4f}% of the map; overlapping {:.4f}%\n",
       q.charts, q.charts == 1 ? "" : "s", mesh.periodic_uv ? " (periodic)" : "", 100 * q.covered,
       q.flipped_faces, 100 * q.flipped, 100 * q.overlapping);
   fmt::print(
-      "UV area / surface area of a face, divided by the same ratio of the whole map (1: no distortion): "
-      "{:.2f} at the 1% quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
+      "UV area / surface area of a face, divided by the same ratio of the whole map (1: no distortion): {:.2f} at the 1% quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
       q.area_low, q.area_median, q.area_high);
   fmt::print(
-      "density of the fur (strands per surface area) / its mean: {:.2f} at the 5% quantile, {:.2f} at the "
-      "95% quantile, {:.2f} times as much\n",
+      "density of the fur (strands per surface area) / its mean: {:.2f} at the 5% quantile, {:.2f} at the 95% quantile, {:.2f} times as much\n",
       q.area_5, q.area_95, q.area_5 > 0 ? q.area_95 / q.area_5 : 0.0);
   fmt::print(
       "surface length per unit of u: {:.3f}, per unit of v: {:.3f} (in radii R of the bounding sphere)\n",
@@ -164,9 +161,9 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   CLI::Option* keep =
       command.add_flag("--keep-uv", options.keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
-      .add_flag("--even-uv", options.even_uv,
-                "Give a chart of its own to each part of the surface that the computed UV map shrinks or "
-                "enlarges by much, so that the density of the fur varies less")
+      .add_flag(
+          "--even-uv", options.even_uv,
+          "Give a chart of its own to each part of the surface that the computed UV map shrinks or enlarges by much, so that the density of the fur varies less")
       ->excludes(keep);
   command
       .add_option("--components", options.components,

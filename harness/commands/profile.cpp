@@ -52,10 +52,10 @@ std::vector<KernelWork> kernels_of(const std::vector<cl::FrameTiming>& timings) 
 bool all_hold(const Case& which, const std::vector<Check>& checks) {
   for (const Check& c : checks)
     if (!c.holds()) {
-      fmt::print(stderr,
-                 "pelage: {}: the check of {} against {} found {:.6g}, but {} {:.6g} is required; this case "
-                 "is left out\n",
-                 which.name, c.metric, c.against, c.value, c.at_least ? "at least" : "at most", c.limit);
+      fmt::print(
+          stderr,
+          "pelage: {}: the check of {} against {} found {:.6g}, but {} {:.6g} is required; this case is left out\n",
+          which.name, c.metric, c.against, c.value, c.at_least ? "at least" : "at most", c.limit);
       return false;
     }
   return true;

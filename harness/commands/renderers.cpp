@@ -49,10 +49,10 @@ void add_renderer_options(CLI::App& command, RendererOptions& options) {
                   "Implementation choices of the OpenGL baseline: name=value,name=value (docs/baselines.md)")
       ->type_name("OPTIONS");
   command
-      .add_option("--mapping", options.mapping,
-                  "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on "
-                  "the device; strands have tile and group): " +
-                      mappings_help())
+      .add_option(
+          "--mapping", options.mapping,
+          "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the device; strands have tile and group): " +
+              mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, or part of its name")

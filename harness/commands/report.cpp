@@ -84,9 +84,9 @@ void add_report(CLI::App& app, Chosen& chosen) {
       ->type_name("RESULTS");
   command.add_option("-o,--output", options.output, "Folder of the report")->required()->type_name("DIR");
   command
-      .add_option("--view", options.views,
-                  "Experiment file whose table [report] replaces the one that the rows of this experiment "
-                  "recorded; may be given several times")
+      .add_option(
+          "--view", options.views,
+          "Experiment file whose table [report] replaces the one that the rows of this experiment recorded; may be given several times")
       ->allow_extra_args(false)
       ->type_name("FILE");
 }

@@ -77,9 +77,9 @@ fs::path RunOptions::folder() const {
 
 void declare_cases(CLI::App& command, RunOptions& options) {
   command
-      .add_option("--preset", options.preset,
-                  "Preset: smoke runs for a few seconds; quick times every case with few samples; paper "
-                  "takes as many samples as a publication needs")
+      .add_option(
+          "--preset", options.preset,
+          "Preset: smoke runs for a few seconds; quick times every case with few samples; paper takes as many samples as a publication needs")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
@@ -107,9 +107,9 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--shard", options.shard, "Run only every n-th case, beginning with case i (from 0)")
       ->type_name("i/n");
   command
-      .add_option("--balance", options.balance,
-                  "With --shard: use the times in these earlier results to divide the cases into shards that "
-                  "take about the same time")
+      .add_option(
+          "--balance", options.balance,
+          "With --shard: use the times in these earlier results to divide the cases into shards that take about the same time")
       ->type_name("RESULTS");
   command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
       ->type_name("N")
@@ -150,15 +150,14 @@ void declare(CLI::App& command, RunOptions& options) {
       })
       ->type_name("N");
   command
-      .add_option("--host", options.host,
-                  "Name of the host in the rows (default: the name of this machine). If nodes of a cluster "
-                  "have equal hardware, give all of them the same name, so that their rows are in one table")
+      .add_option(
+          "--host", options.host,
+          "Name of the host in the rows (default: the name of this machine). If nodes of a cluster have equal hardware, give all of them the same name, so that their rows are in one table")
       ->type_name("NAME");
   command
-      .add_option("--quiet-machine", options.quiet_machine,
-                  "Before each case, measure for one second whether other processes use more than 10% of the "
-                  "machine's CPU time. If they do, warn prints a warning, and require waits until they use "
-                  "less; if they still use more after a minute, require ends the run with code 1")
+      .add_option(
+          "--quiet-machine", options.quiet_machine,
+          "Before each case, measure for one second whether other processes use more than 10% of the machine's CPU time. If they do, warn prints a warning, and require waits until they use less; if they still use more after a minute, require ends the run with code 1")
       ->check(CLI::IsMember({"warn", "require"}))
       ->type_name("warn|require");
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");

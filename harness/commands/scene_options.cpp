@@ -61,23 +61,23 @@ Scene case_scene(const std::string& experiment_name, const std::string& name) {
 
 void add_up_option(CLI::App& command, std::string& up) {
   command
-      .add_option("--up", up,
-                  "Axis of the mesh file that points up; with z the model is rotated, because y points up in "
-                  "a scene (scene key mesh.up)")
+      .add_option(
+          "--up", up,
+          "Axis of the mesh file that points up; with z the model is rotated, because y points up in a scene (scene key mesh.up)")
       ->check(CLI::IsMember(choices_of("mesh.up")))
       ->type_name("AXIS");
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
   command
-      .add_option("scene", options.file,
-                  "Scene file, or name of an example scene, such as wet-curls; without one, all keys of the "
-                  "scene have their default values")
+      .add_option(
+          "scene", options.file,
+          "Scene file, or name of an example scene, such as wet-curls; without one, all keys of the scene have their default values")
       ->type_name("SCENE");
   command
-      .add_option("--case", options.case_name,
-                  "Use the scene of this case of an experiment; SCENE is then the name of the experiment, or "
-                  "FILE.toml")
+      .add_option(
+          "--case", options.case_name,
+          "Use the scene of this case of an experiment; SCENE is then the name of the experiment, or FILE.toml")
       ->type_name("CASE");
   command.add_option("--set", options.set, "Override one key of the scene; may be repeated")
       ->type_name("KEY=VALUE")

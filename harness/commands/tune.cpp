@@ -102,18 +102,17 @@ int tune(const TuneOptions& options) {
   if (fs::exists(file)) read_tuning(file);  // reports a malformed file now instead of after the search
   if (options.dry_run) {
     for (std::size_t i = 0; i < stages.size(); ++i) print_axes(stages[i], axes[i]);
-    fmt::print(stderr,
-               "pelage: nothing was run. Without --dry-run, pelage searches on {} for the fastest values, "
-               "with the cases",
-               device.info().name);
+    fmt::print(
+        stderr,
+        "pelage: nothing was run. Without --dry-run, pelage searches on {} for the fastest values, with the cases",
+        device.info().name);
     for (const Case& c : cases) fmt::print(stderr, " {}", c.name);
     fmt::print(stderr, ", and stores these values in {}\n", file.string());
     return 0;
   }
   const std::vector<NamedInput> inputs = prepared(experiment, cases);
   fmt::print(
-      "{}\nstage\tconfiguration\ttime divided by the time of the fastest configuration so far (95% "
-      "interval)\n",
+      "{}\nstage\tconfiguration\ttime divided by the time of the fastest configuration so far (95% interval)\n",
       device.info().name);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::vector<TuningScene> scenes;
@@ -165,9 +164,9 @@ void add_tune(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(6, 1000))
       ->capture_default_str();
   command
-      .add_option("-o,--output", options.output,
-                  "File in which the values are stored; values of other stages in it are kept (default: "
-                  "pelage-tuning/DEVICE.toml)")
+      .add_option(
+          "-o,--output", options.output,
+          "File in which the values are stored; values of other stages in it are kept (default: pelage-tuning/DEVICE.toml)")
       ->type_name("FILE");
   command.add_flag("--dry-run", options.dry_run, "Print the axes without running anything");
 }

@@ -69,9 +69,9 @@ void add_water(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(0.001, 1000.0))
       ->capture_default_str();
   command
-      .add_option("--csv", options.csv,
-                  "Output file (.csv); a file .svg or .pdf is drawn in both formats, beside the .csv; - is "
-                  "standard output")
+      .add_option(
+          "--csv", options.csv,
+          "Output file (.csv); a file .svg or .pdf is drawn in both formats, beside the .csv; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
 }

@@ -9,10 +9,7 @@ namespace pelage {
 
 std::string window_advice() {
   return fmt::format(
-      "the picture is too small, or fur covers too few of its pixels: the check compares {} squares of {} x "
-      "{} "
-      "pixels that contain fur or are adjacent to fur; give a larger picture (the axis size, or image.width "
-      "and image.height), or a camera that shows more fur",
+      "the picture is too small, or fur covers too few of its pixels: the check compares {} squares of {} x {} pixels that contain fur or are adjacent to fur; give a larger picture (the axis size, or image.width and image.height), or a camera that shows more fur",
       kCheckWindows, kCheckSide, kCheckSide);
 }
 

@@ -73,8 +73,7 @@ std::optional<glm::ivec2> finer_torus(const std::string& name) {
 
 [[noreturn]] void refuse_uv(const Source& source, const std::string& what) {
   throw InputError(
-      fmt::format("{}: {}, so no UV map can be kept; leave out --keep-uv, or give fur.uv = "
-                  "\"computed\"",
+      fmt::format("{}: {}, so no UV map can be kept; leave out --keep-uv, or give fur.uv = \"computed\"",
                   source.label, what));
 }
 
@@ -190,10 +189,9 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
   tell();
   if (!surface.uv.empty()) {
     if (model.faces && *model.faces != surface.triangle.size())
-      throw InputError(
-          fmt::format("{}: has {} faces and a UV map of its own; the face count cannot change "
-                      "while that map is kept",
-                      source.label, surface.triangle.size()));
+      throw InputError(fmt::format(
+          "{}: has {} faces and a UV map of its own; the face count cannot change while that map is kept",
+          source.label, surface.triangle.size()));
   } else if (source.kind == "file") {
     surface = mapped_file(std::move(surface), model, source.label, stages);
   } else {

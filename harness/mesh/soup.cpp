@@ -158,8 +158,7 @@ Soup read_soup(const std::filesystem::path& file, bool with_uv) {
   if (by_cgal && !has_uv) return parse_soup(std::move(bytes), format, file.string());
   if (by_cgal && bytes.starts_with(byte_order_mark))
     throw InputError(fmt::format(
-        "{}: the file begins with a byte-order mark; pelage cannot read a UV map from such a file; save "
-        "the file as UTF-8 without the mark",
+        "{}: the file begins with a byte-order mark; pelage cannot read a UV map from such a file; save the file as UTF-8 without the mark",
         file.string()));
   if (by_cgal) detail::check_text(bytes, format, file.string());
   detail::gltf_files(file);

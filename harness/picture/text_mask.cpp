@@ -26,10 +26,9 @@ fs::path default_font() {
   const fs::path file = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
   std::error_code error;
   if (fs::is_regular_file(file, error)) return file;
-  throw InputError(
-      fmt::format("wetness.text: there is no {}; install Debian's package fonts-dejavu-core, or give another "
-                  "font as wetness.text_font",
-                  file.string()));
+  throw InputError(fmt::format(
+      "wetness.text: there is no {}; install Debian's package fonts-dejavu-core, or give another font as wetness.text_font",
+      file.string()));
 }
 
 TextMask paint_text(const TextLine& line, int side) {

@@ -64,9 +64,7 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   if (has_chains(scene.dynamics))
     throw InputError(
-        "dynamics.topology: \"chains\" is the motion of single strands; use a pipeline that draws strands, "
-        "or "
-        "give another topology");
+        "dynamics.topology: \"chains\" is the motion of single strands; use a pipeline that draws strands, or give another topology");
   if (!mesh->frames.empty())
     throw InputError("mesh.frames: only pipelines that draw strands follow the frames of a mesh; give 1");
   auto input = std::make_shared<FrameInput>();

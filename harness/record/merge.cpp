@@ -138,9 +138,9 @@ Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
         const std::optional<Conflict> conflict = targets[place].conflict(*found);
         if (!conflict) continue;
         if (!keep_apart)
-          throw InputError(conflict->message +
-                           ". Merge only results that belong together, or give --keep-apart, which writes "
-                           "the conflicting rows into a separate folder");
+          throw InputError(
+              conflict->message +
+              ". Merge only results that belong together, or give --keep-apart, which writes the conflicting rows into a separate folder");
         names.insert(conflict->differs.begin(), conflict->differs.end());
         fits = false;
       }

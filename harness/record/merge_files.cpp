@@ -70,10 +70,9 @@ std::size_t copy_pictures(const Merge& merge, const fs::path& folder) {
 void require_new_folder(const fs::path& folder) {
   if (fs::is_directory(folder) && fs::is_empty(folder)) return;
   if (fs::exists(folder))
-    throw InputError(
-        fmt::format("{}: exists; merge writes only into a new folder. To add results to merged results, give "
-                    "the merged folder as an input and another name for the new folder",
-                    folder.string()));
+    throw InputError(fmt::format(
+        "{}: exists; merge writes only into a new folder. To add results to merged results, give the merged folder as an input and another name for the new folder",
+        folder.string()));
 }
 
 std::size_t write_merge(const Merge& merge, const fs::path& folder) {

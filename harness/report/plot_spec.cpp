@@ -74,11 +74,9 @@ Names known(const Table& table, const Names& names, const char* key, std::vector
     if (column_of(table, name) >= 0)
       result.push_back(name);
     else
-      notes.push_back(
-          fmt::format("{}: {} names \"{}\", but tables/{}.csv has no such column{}; correct the table "
-                      "[report] of the experiment "
-                      "file and give the file with --view",
-                      table.subtitle, key, name, table.stem, suggestion(table, name)));
+      notes.push_back(fmt::format(
+          "{}: {} names \"{}\", but tables/{}.csv has no such column{}; correct the table [report] of the experiment file and give the file with --view",
+          table.subtitle, key, name, table.stem, suggestion(table, name)));
   return result;
 }
 

@@ -71,12 +71,7 @@ Table solver_table(const std::vector<FoundRow>& rows) {
   std::stable_sort(table.lines.begin(), table.lines.end(),
                    [&](const auto& a, const auto& b) { return key(a) < key(b); });
   table.remarks = {
-      "Our solver and each baseline take turns to compute the same time steps from the same state. The ratio "
-      "is the baseline's time divided by our time: the median over the rounds, with its 95% interval. The "
-      "ratio by CPU time is the baseline's CPU time divided by our CPU time per core, which is our CPU "
-      "time divided by the number of cores. serial-o3 is C++ compiled with -O3. serial-fast is C++ compiled "
-      "with -O3 -march=native -ffast-math. The serial baselines use floats unless the name contains double. "
-      "eigen-...-1 and eigen-...-2 use Eigen with one and two threads, compiled with -O3 -march=native."};
+      "Our solver and each baseline take turns to compute the same time steps from the same state. The ratio is the baseline's time divided by our time: the median over the rounds, with its 95% interval. The ratio by CPU time is the baseline's CPU time divided by our CPU time per core, which is our CPU time divided by the number of cores. serial-o3 is C++ compiled with -O3. serial-fast is C++ compiled with -O3 -march=native -ffast-math. The serial baselines use floats unless the name contains double. eigen-...-1 and eigen-...-2 use Eigen with one and two threads, compiled with -O3 -march=native."};
   return table;
 }
 

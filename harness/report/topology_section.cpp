@@ -73,8 +73,7 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
          shares.empty() ? number_value({}) : percent(most), text_value(worst)});
   }
   table.remarks = {
-      "Frame: frame time divided by the frame time of the first topology (geometric mean over the cases). "
-      "Share: time of the simulation divided by the frame time."};
+      "Frame: frame time divided by the frame time of the first topology (geometric mean over the cases). Share: time of the simulation divided by the frame time."};
   return table;
 }
 
@@ -99,8 +98,7 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
   Section section = section_of(
       cells, columns, stem, sources,
       {{"layers", "size"}, {"model", "triangles"}, {axis}, {"median_ms", "simulate_ms"}},
-      {"frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, "
-       "measured by the device's timer."});
+      {"frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, measured by the device's timer."});
   Table& table = section.table;
   View view = view_of(cells);
   if (view == View{} && column_of(table, "triangles") >= 0)

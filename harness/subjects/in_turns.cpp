@@ -49,10 +49,9 @@ std::unique_ptr<Subject> against_baseline_scene(const MakeSubject& make, const E
 
 std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which, int layers) {
   if (layers < 4 || layers % 4 != 0)
-    throw InputError(
-        fmt::format("{}: fur.layers is {}; give a multiple of 4, because {} also draws pictures with half "
-                    "and with a quarter of the layers",
-                    which.name, layers, which.pipeline));
+    throw InputError(fmt::format(
+        "{}: fur.layers is {}; give a multiple of 4, because {} also draws pictures with half and with a quarter of the layers",
+        which.name, layers, which.pipeline));
   const auto with = [&](int number) {
     Case fewer = which;
     fewer.set.emplace_back("fur.layers", std::to_string(number));

@@ -1,7 +1,5 @@
 #include "harness/subjects/raycast_difference.hpp"
 
-#include <glm/geometric.hpp>
-
 #include "harness/compare/metrics.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/system/strands/backends.hpp"
