@@ -155,29 +155,17 @@ int compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<CompareOptions>(app, chosen, "compare",
                                                         "Compare two sets of results, case by case", compare);
-  command.add_option("a", options.a, "First set of results")->required()->type_name("A");
-  command
-      .add_option("b", options.b,
-                  "Second set of results; without it, --by compares results of A with each other")
-      ->type_name("B");
-  command.add_option("--by", options.by, "Property in which the two results of a comparison may differ")
-      ->type_name("device|variant|axes.KEY");
-  command
-      .add_option(
-          "--phase", options.phase,
-          "Phase whose times are compared, such as simulate or raster; frame: the time of the whole frame")
-      ->type_name("PHASE")
-      ->capture_default_str();
-  command
-      .add_option("--threshold", options.threshold,
-                  "Largest relative change of a time that counts as no change")
-      ->type_name("5%")
-      ->capture_default_str();
-  command
-      .add_option("--alpha", options.alpha,
-                  "Largest probability that one or more of the verdicts are wrong (Holm's correction)")
-      ->type_name("5%")
-      ->capture_default_str();
+  add_value(command, "a", options.a, "A", "First set of results")->required();
+  add_value(command, "b", options.b, "B",
+            "Second set of results; without it, --by compares results of A with each other");
+  add_value(command, "--by", options.by, "device|variant|axes.KEY",
+            "Property in which the two results of a comparison may differ");
+  add_value(command, "--phase", options.phase, "PHASE",
+            "Phase whose times are compared, such as simulate or raster; frame: the time of the whole frame");
+  add_value(command, "--threshold", options.threshold, "5%",
+            "Largest relative change of a time that counts as no change");
+  add_value(command, "--alpha", options.alpha, "5%",
+            "Largest probability that one or more of the verdicts are wrong (Holm's correction)");
   command.add_flag("--fail-on-regression", options.fail_on_regression,
                    "Exit with code 5 if a case is slower in B or has no time in B");
   command.add_flag("--json", options.json, "Print JSON");
