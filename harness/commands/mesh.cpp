@@ -18,7 +18,6 @@
 #include "harness/error.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/write_ply.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/springs/model/layout.hpp"

@@ -1,5 +1,3 @@
-#include "harness/mesh/frames.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "harness/isolated/isolated.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/mesh/finish.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/mesh/soup.hpp"
 
 namespace pelage {
@@ -37,32 +36,29 @@ struct Points {
 };
 
 constexpr std::string_view title = "pelage mesh frame\n";
+constexpr auto parts = [](const auto& store, auto& points) {
+  return store(points.position) && store(points.used) && store(points.faces);
+};
 
 Points read_points(const fs::path& file) {
   const auto read = [&](const Say&) {
     const Soup soup = read_soup(file, false);
-    std::vector<std::uint8_t> used(soup.point.size(), 0);
+    Points points{soup.point, std::vector<std::uint8_t>(soup.point.size(), 0), {}};
     Hash hash;
     for (const auto& polygon : soup.polygon) {
       hash.values(polygon);
-      for (const std::uint32_t i : polygon) used[i] = 1;
+      for (const std::uint32_t i : polygon) points.used[i] = 1;
     }
-    Writer to;
-    to.list(soup.point);
-    to.list(used);
-    to.text(hash.hex());
-    return to.sealed(title);
+    points.faces = hash.hex();
+    return packed(title, parts, points);
   };
   std::error_code none;
   const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;
   const Limits limits{(std::uint64_t(4) << 30) + 400 * bytes, std::chrono::seconds(60 + 10 * (bytes >> 20))};
-  const std::string sealed = isolated(file.string(), limits, read, {});
-  const auto content = unsealed(sealed, title);
-  Points points;
-  Reader from(content.value_or(""));
-  if (!from.list(points.position) || !from.list(points.used) || !from.text(points.faces))
+  auto points = unpacked<Points>(isolated(file.string(), limits, read, {}), title, parts);
+  if (!points)
     throw std::runtime_error(fmt::format("{}: the reading process returned damaged data", file.string()));
-  return points;
+  return std::move(*points);
 }
 
 /// An axis-aligned box.

@@ -12,15 +12,13 @@
 #include "harness/hash.hpp"
 #include "harness/isolated/isolated.hpp"
 #include "harness/mesh/cache.hpp"
-#include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
-#include "harness/mesh/procedural.hpp"
-#include "harness/mesh/recut.hpp"
 #include "harness/mesh/soup.hpp"
 #include "harness/mesh/steps.hpp"
 #include "harness/mesh/unfold.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {
@@ -299,9 +297,8 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   const Say say = options.progress ? options.progress : [](const std::string&) {};
   const std::filesystem::path cached =
       cache_folder() / "meshes" / fmt::format("{}-{}.mesh", model.name, key_of(model, source, options));
-  if (options.cache) {
-    if (auto mesh = read_cached(cached)) return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
-  }
+  if (const auto kept = options.cache ? read_cache_file(cached) : std::nullopt)
+    if (auto mesh = decode(*kept)) return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
   say(fmt::format("{}: preparing the mesh; this is done once", source.label));
   const std::string bytes = isolated(
       source.label, limits_for(model, source),
@@ -309,7 +306,7 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   auto mesh = decode(bytes);
   if (!mesh)
     throw std::runtime_error(fmt::format("{}: the preparing process returned a damaged mesh", model.name));
-  if (options.cache && !write_cached(cached, *mesh))
+  if (options.cache && !write_cache_file(cached, bytes))
     say(fmt::format("{} could not be written; the mesh is not cached", cached.string()));
   return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
 }

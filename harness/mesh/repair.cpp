@@ -17,7 +17,6 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
-#include "harness/mesh/components.hpp"
 #include "harness/mesh/steps.hpp"
 
 namespace PMP = CGAL::Polygon_mesh_processing;

@@ -1,5 +1,3 @@
-#include "harness/mesh/write_ply.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include <fstream>
 
 #include "harness/error.hpp"
+#include "harness/mesh/mesh.hpp"
 
 namespace pelage {
 

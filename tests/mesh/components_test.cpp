@@ -1,6 +1,4 @@
 // Tests mesh files with several components: which components are kept, and how their charts are packed.
-#include "harness/mesh/components.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/steps.hpp"
 #include "tests/mesh/temp_folder.hpp"
 
 namespace pelage {

@@ -8,10 +8,10 @@
 #include <glm/geometric.hpp>
 
 #include "harness/isolated/isolated.hpp"
-#include "harness/mesh/flatten.hpp"
 #include "harness/mesh/laplace.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/write_ply.hpp"
+#include "harness/mesh/unfold.hpp"
 #include "tests/mesh/temp_folder.hpp"
 
 namespace pelage {

@@ -8,8 +8,8 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
-#include "harness/mesh/procedural.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/steps.hpp"
 #include "tests/mesh/temp_folder.hpp"
 #include "tests/support/refusal.hpp"
 

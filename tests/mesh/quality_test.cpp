@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "harness/mesh/mesh.hpp"
 #include "harness/mesh/unfold.hpp"
-#include "harness/mesh/write_ply.hpp"
 #include "tests/mesh/temp_folder.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
-#include "harness/mesh/write_ply.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/picture_map.hpp"
 #include "harness/prepare/scene_mesh.hpp"

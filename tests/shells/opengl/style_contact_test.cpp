@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "harness/compare/checks.hpp"
-#include "harness/mesh/write_ply.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "tests/shells/opengl/scenes.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/style_scenes.hpp"
