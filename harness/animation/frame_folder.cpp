@@ -1,5 +1,3 @@
-#include "harness/animation/frame_folder.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -12,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "harness/animation/animation.hpp"
 #include "harness/error.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/picture/image_io.hpp"

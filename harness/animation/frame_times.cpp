@@ -1,10 +1,9 @@
-#include "harness/animation/frame_times.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "harness/animation/animation.hpp"
 #include "harness/error.hpp"
 #include "harness/scene/keyframes.hpp"
 

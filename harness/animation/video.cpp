@@ -1,11 +1,9 @@
-#include "harness/animation/video.hpp"
-
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <vector>
 
-#include "harness/animation/frame_folder.hpp"
+#include "harness/animation/animation.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
 #include "harness/isolated/isolated.hpp"

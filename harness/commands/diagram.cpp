@@ -10,16 +10,14 @@
 #include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/frame_output.hpp"
-#include "harness/diagrams/mask_picture.hpp"
-#include "harness/diagrams/section.hpp"
-#include "harness/diagrams/strand_lines.hpp"
+#include "harness/diagrams/diagrams.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/droplets.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/water.hpp"
-#include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "harness/scene/keyframes.hpp"
 
 namespace pelage {

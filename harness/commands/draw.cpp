@@ -3,9 +3,7 @@
 
 #include <chrono>
 
-#include "harness/animation/frame_folder.hpp"
-#include "harness/animation/frame_times.hpp"
-#include "harness/animation/video.hpp"
+#include "harness/animation/animation.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/commands/commands.hpp"
 #include "harness/commands/progress.hpp"

@@ -16,7 +16,6 @@
 #include "harness/record/results_folder.hpp"
 #include "harness/record/shards.hpp"
 #include "harness/report/csv.hpp"
-#include "harness/report/input_sets.hpp"
 #include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 

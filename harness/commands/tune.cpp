@@ -18,12 +18,12 @@
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/record/results_folder.hpp"
-#include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "harness/report/profile.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/system/system.hpp"
-#include "harness/tuning/contenders.hpp"
 #include "harness/tuning/tuning.hpp"
+#include "harness/tuning/tuning_search.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {

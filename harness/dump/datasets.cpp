@@ -1,5 +1,3 @@
-#include "harness/dump/datasets.hpp"
-
 #include <fmt/format.h>
 
 #include <array>

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "harness/dump/datasets.hpp"
 #include "harness/dump/dump.hpp"
 
 namespace pelage {

@@ -5,14 +5,11 @@
 #include <future>
 
 #include "harness/error.hpp"
-#include "harness/prepare/camera.hpp"
+#include "harness/prepare/coat.hpp"
 #include "harness/prepare/droplets.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/prepare/skin.hpp"
 #include "harness/prepare/strands.hpp"
-#include "harness/prepare/style.hpp"
-#include "harness/prepare/tangents.hpp"
-#include "harness/prepare/texture_cache.hpp"
 
 namespace pelage {
 namespace {

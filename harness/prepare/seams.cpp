@@ -1,11 +1,11 @@
-#include "harness/prepare/seams.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
 #include <map>
 #include <utility>
+
+#include "harness/prepare/droplets.hpp"
 
 namespace pelage {
 namespace {

@@ -14,8 +14,7 @@
 #include "harness/measure/provenance.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/csv.hpp"
-#include "harness/report/input_sets.hpp"
-#include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

@@ -5,7 +5,6 @@
 #include "harness/springs/studies/study.hpp"
 #include "harness/subjects/frames.hpp"
 #include "harness/subjects/in_turns.hpp"
-#include "harness/subjects/raycast_difference.hpp"
 #include "harness/system/strands/backends.hpp"
 
 namespace pelage {

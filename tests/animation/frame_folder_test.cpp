@@ -1,5 +1,3 @@
-#include "harness/animation/frame_folder.hpp"
-
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "harness/animation/animation.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,7 +1,6 @@
-#include "harness/animation/frame_times.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/animation/animation.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/refusal.hpp"
 

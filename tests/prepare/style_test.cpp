@@ -1,6 +1,4 @@
 // Tests the preparation of maps and colliders, and the refusal of bad ones.
-#include "harness/prepare/style.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -10,6 +8,7 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/picture_map.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/prepare/strands.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/style_scenes.hpp"

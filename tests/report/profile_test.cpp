@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "tests/support/files.hpp"
 
 namespace pelage {

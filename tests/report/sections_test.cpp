@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/report/report.hpp"
-#include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
 

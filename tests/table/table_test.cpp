@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "harness/base/numbers.hpp"
-#include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

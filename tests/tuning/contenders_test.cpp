@@ -1,9 +1,8 @@
-#include "harness/tuning/contenders.hpp"
-
 #include <gtest/gtest.h>
 
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/shells.hpp"
+#include "harness/tuning/tuning_search.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 

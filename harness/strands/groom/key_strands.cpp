@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "harness/error.hpp"
-#include "harness/prepare/tangents.hpp"
+#include "harness/prepare/strands.hpp"
 #include "harness/strands/groom/steps.hpp"
 
 namespace pelage::strands {
