@@ -188,7 +188,7 @@ fs::path example_scene(const std::string& name) {
 
 }  // namespace
 
-Case baseline_case(const Experiment& experiment, const Case& which) {
+Case control_case(const Experiment& experiment, const Case& which) {
   std::vector<Axis> axes;
   for (const Axis& axis : experiment.axes) {
     const bool named = axis.key != "variant" && axis.key != "layers" && axis.key != "size" &&

@@ -128,7 +128,7 @@ std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
         "Frames per second: 1000 divided by the median wall time of a warm frame in ms, and its 95% interval.");
   if (shows("frame_over_baseline"))
     remarks.emplace_back(
-        "frame_over_baseline: time of the case divided by the time of the baseline scene in the same rounds, and its 95% interval. Above 1, the case is slower.");
+        "frame_over_baseline: time of the case divided by the time of the control scene in the same rounds, and its 95% interval. Above 1, the case is slower.");
   if (shows("frame_over_half") || shows("frame_over_quarter"))
     remarks.emplace_back(
         "frame_over_half, frame_over_quarter: time of the frame divided by the time of a frame with half or a quarter of the layers in the same rounds, and its 95% interval.");

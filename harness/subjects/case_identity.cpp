@@ -46,8 +46,8 @@ Identity case_identity(SubjectContext& context, const Case& which, const Samplin
                     {"sampling", hash(text_of(limits))},
                     {"device", device_hash(device_provenance(context.device.info()))},
                     {build_part, build_hash()}};
-  if (which.pipeline == baseline_pipeline)
-    identity["baseline"] = scene_hash(scene_of(context.experiment, baseline_case(context.experiment, which)));
+  if (which.pipeline == control_pipeline)
+    identity["baseline"] = scene_hash(scene_of(context.experiment, control_case(context.experiment, which)));
   return identity;
 }
 

@@ -5,14 +5,14 @@
 
 namespace pelage {
 
-/// The name of the pipeline of against_baseline_scene() in experiment files.
-inline constexpr std::string_view baseline_pipeline = "shells+baseline";
+/// The name of the pipeline of against_control_scene() in experiment files.
+inline constexpr std::string_view control_pipeline = "shells+baseline";
 
 /// Measures what one change of a scene costs and how it changes the picture. The phase "baseline" is the case
-/// without the settings of its named axes (baseline_case). The metric "frame_over_baseline" is the case's
+/// without the settings of its named axes (control_case). The metric "frame_over_baseline" is the case's
 /// time divided by the other time. "baseline_psnr" (dB) and "baseline_ssim" compare the two pictures.
-std::unique_ptr<Subject> against_baseline_scene(const MakeSubject& make, const Experiment& experiment,
-                                                const Case& which);
+std::unique_ptr<Subject> against_control_scene(const MakeSubject& make, const Experiment& experiment,
+                                               const Case& which);
 
 /// Measures the cost of more layers: the phases "half" and "quarter" draw with half and with a quarter of the
 /// `layers` of the case's scene (metrics "frame_over_half" and "frame_over_quarter"). `make` makes a subject

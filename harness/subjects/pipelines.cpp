@@ -29,10 +29,10 @@ constexpr Pipeline studies[] = {
        return fewer_layers([&](const Case& fewer) { return frames_of(context, fewer, "shells"); }, which,
                            scene_of(context.experiment, which).fur.layers);
      }},
-    {baseline_pipeline,
+    {control_pipeline,
      [](SubjectContext& context, const Case& which) {
-       return against_baseline_scene([&](const Case& scene) { return frames_of(context, scene, "shells"); },
-                                     context.experiment, which);
+       return against_control_scene([&](const Case& scene) { return frames_of(context, scene, "shells"); },
+                                    context.experiment, which);
      }},
     {"shells+opengl",
      [](SubjectContext& context, const Case& which) {
