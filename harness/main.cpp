@@ -23,10 +23,7 @@ std::string version() {
   return fmt::format(
       "pelage {} ({}{}, {})\n"
       "GPL-3.0-or-later\n"
-      "To cite it, name the version and the revision: \"pelage: an OpenCL research benchmark harness for "
-      "real-time fur and grass, version {}, revision {}\";\nCITATION.cff contains this citation for "
-      "reference managers. Also cite the papers whose systems you timed; the report's references.bib lists "
-      "them.",
+      "To cite it, name the version and the revision: \"pelage: an OpenCL research benchmark harness for real-time fur and grass, version {}, revision {}\";\nCITATION.cff contains this citation for reference managers. Also cite the papers whose systems you timed; the report's references.bib lists them.",
       build.version, build.revision, build.dirty ? ", modified" : "", build.compiler, build.version,
       build.revision.substr(0, 12));
 }
@@ -66,26 +63,11 @@ int main(int argc, char** argv) {
       ->type_name("DIR");
   app.fallthrough();
   Chosen chosen;
-  add_devices(app, chosen);
-  add_scene(app, chosen);
-  add_render(app, chosen);
-  add_animate(app, chosen);
-  add_diagram(app, chosen);
-  add_mesh(app, chosen);
-  add_topology(app, chosen);
-  add_water(app, chosen);
-  add_check(app, chosen);
-  add_tune(app, chosen);
-  add_profile(app, chosen);
-  add_list(app, chosen);
-  add_run(app, chosen);
-  add_merge(app, chosen);
-  add_export(app, chosen);
-  add_compare(app, chosen);
-  add_report(app, chosen);
-  add_claims(app, chosen);
-  add_completion(app, chosen);
-  add_manual(app, chosen);
+  for (AddCommand* add :
+       {add_devices, add_scene,   add_render, add_animate, add_diagram,    add_mesh,  add_topology,
+        add_water,   add_check,   add_tune,   add_profile, add_list,       add_run,   add_merge,
+        add_export,  add_compare, add_report, add_claims,  add_completion, add_manual})
+    add(app, chosen);
   app.require_subcommand(0, 1);
 
   try {

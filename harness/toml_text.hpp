@@ -94,9 +94,7 @@ class TomlScanner {
     const std::size_t end = behind_string(text_, start);
     if (before_ == '"' && continues_without_ascii(text_.substr(start, end - start)))
       refuse(
-          "not TOML that pelage reads: in a string, the first character after a backslash or after a "
-          "continued "
-          "line is not ASCII");
+          "not TOML that pelage reads: in a string, the first character after a backslash or after a continued line is not ASCII");
     line_ +=
         int(std::count(text_.begin() + std::ptrdiff_t(start), text_.begin() + std::ptrdiff_t(end), '\n'));
     return end;

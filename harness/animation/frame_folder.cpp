@@ -1,5 +1,3 @@
-#include "harness/animation/frame_folder.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -12,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "harness/animation/animation.hpp"
 #include "harness/error.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/picture/image_io.hpp"
@@ -61,9 +60,11 @@ void refuse_other_origin(const fs::path& file, const std::string& was, const std
   std::string before, after;
   while (std::getline(new_lines, after) && std::getline(old_lines, before))
     if (before != after)
-      refuse(file, fmt::format("the frames were drawn with \"{}\", which is now \"{}\"; give the options of "
-                               "the first run, or another folder with -o",
-                               before, after));
+      refuse(
+          file,
+          fmt::format(
+              "the frames were drawn with \"{}\", which is now \"{}\"; give the options of the first run, or another folder with -o",
+              before, after));
   refuse(file, "is damaged; remove this file and the frames, or give another folder with -o");
 }
 
@@ -82,9 +83,9 @@ void check_frame_folder(const fs::path& folder, bool resume) {
   if (!resume && (frames || recorded))
     refuse(folder, "already contains frames: continue with --resume, or give another folder with -o");
   if (frames && !recorded)
-    refuse(folder, fmt::format("contains frames, but no {}, so they cannot be continued; give another folder "
-                               "with -o",
-                               frame_record));
+    refuse(folder,
+           fmt::format("contains frames, but no {}, so they cannot be continued; give another folder with -o",
+                       frame_record));
 }
 
 FrameFolder::FrameFolder(fs::path folder, const FrameOrigin& origin, bool resume)

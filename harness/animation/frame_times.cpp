@@ -1,10 +1,9 @@
-#include "harness/animation/frame_times.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "harness/animation/animation.hpp"
 #include "harness/error.hpp"
 #include "harness/scene/keyframes.hpp"
 
@@ -41,8 +40,7 @@ double count_of(const TimeOptions& options, const Scene& scene) {
   const std::optional<double> last = options.to ? options.to : last_keyframe(scene);
   if (!last)
     throw InputError(
-        "the scene has no keyframes that say when the animation ends; give the time of the last frame with "
-        "--to SECONDS, or the number of frames with --frames N");
+        "the scene has no keyframes that say when the animation ends; give the time of the last frame with --to SECONDS, or the number of frames with --frames N");
   if (options.to) require_time("--to", *last);
   if (*last < options.from)
     throw InputError(fmt::format("--from {}: the first frame is after the last one, which is at {} s{}",
@@ -74,8 +72,7 @@ void check_frames(const Scene& scene, const FrameTimes& times) {
     const ImageScene image = picture_scene(scene, seconds).image;
     if (image.width != first.width || image.height != first.height)
       throw InputError(fmt::format(
-          "image.width, image.height: the frame at {} s has {}x{} pixels and the first frame {}x{}; all "
-          "frames must have one size, so remove the keyframes or give --size",
+          "image.width, image.height: the frame at {} s has {}x{} pixels and the first frame {}x{}; all frames must have one size, so remove the keyframes or give --size",
           seconds, image.width, image.height, first.width, first.height));
   }
 }

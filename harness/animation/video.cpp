@@ -1,11 +1,9 @@
-#include "harness/animation/video.hpp"
-
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <vector>
 
-#include "harness/animation/frame_folder.hpp"
+#include "harness/animation/animation.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
 #include "harness/isolated/isolated.hpp"
@@ -46,8 +44,7 @@ void check_video(const std::string& option, const fs::path& file, const fs::path
   if (folder_of(file) != folder_of(frames / file.filename())) require_place(file);
   if (!on_path("ffmpeg"))
     throw InputError(fmt::format(
-        "{} {}: needs the program ffmpeg, which is not installed (Debian package: ffmpeg); frames "
-        "need no ffmpeg",
+        "{} {}: needs the program ffmpeg, which is not installed (Debian package: ffmpeg); frames need no ffmpeg",
         option, file.string()));
 }
 

@@ -1,6 +1,9 @@
-// Selects the cases that decide a claim, and the rows of results of these cases.
+// Selects the cases that decide a claim and their rows of results, and computes the claim's quantity for one
+// cell from its samples, and from resampled samples for bootstrap intervals.
 #pragma once
+#include <boost/random/normal_distribution.hpp>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -33,5 +36,58 @@ struct Cells {
 /// Returns the cells of the claim in the order of the rows, which must be from one device and host. All rows
 /// of a case must have been measured with the same inputs (input_sets()).
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows);
+
+/// The quantity of a cell. `frame` is the frame time in ms; only the effect ratio_by_phase uses it.
+struct Value {
+  double value = 0, frame = 0;
+};
+
+/// Bootstrap draws of the quantity of one cell. A draw chooses processes with replacement, and then samples
+/// of each chosen process with replacement. If fewer than `separate_processes` processes measured the cell,
+/// it also multiplies the times of every chosen process by a log-normal factor with the relative standard
+/// deviation `spread`, for the unknown spread between processes; likewise a metric with the unit ms, 1/s, fps
+/// or "times" (a ratio), but no count. A metric with a 95% interval is drawn from a normal distribution with
+/// this interval. The random seed depends only on the experiment, the case and the variant. Equal arguments
+/// therefore give equal draws, and all phases of a case use the same processes, samples and factors.
+class Drawing {
+ public:
+  Drawing(const Claim& claim, const Cell& cell, double spread, int separate_processes);
+  Value measured();  ///< the quantity, from all samples of all processes
+  Value drawn();
+
+ private:
+  struct Process {
+    std::vector<double> times, phase_times;  // ms; `phase_times` is empty if the claim uses no phase
+    double metric = 0, metric_deviation = 0, per = 1;
+  };
+  Value value_of_pools();
+  double factor();
+
+  const Claim& claim_;
+  std::vector<Process> processes_;
+  bool measured_metric_ = false;
+  double spread_ = 0;
+  std::mt19937_64 random_;
+  boost::random::normal_distribution<double> normal_;
+  std::vector<double> times_, phase_times_, metrics_;  // all samples of the current draw
+};
+
+/// Draws of the quantity of a cell from the frame rate that the experiment's paper publishes (the metric
+/// paper_fps), uniformly distributed between the limits of this metric, which follow from the rounding of the
+/// published number. For a published bound such as "< 1", the limits are 0 and the bound.
+class PaperDrawing {
+ public:
+  /// Whether the paper publishes a number from which the quantity of this cell follows.
+  static bool possible(const Claim& claim, const Cell& cell);
+  PaperDrawing(const Claim& claim, const Cell& cell);
+  Value measured() const;
+  Value drawn();
+
+ private:
+  Value value_of(double rate) const;
+  const Claim& claim_;
+  double rate_, low_, high_;  // frames per second
+  std::mt19937_64 random_;
+};
 
 }  // namespace pelage::claims

@@ -163,9 +163,11 @@ class Table {
   std::string axis_value(std::string_view key, const toml::node& node) const {
     if (const auto value = node.value_exact<std::string>()) return *value;
     if (const auto value = node.value_exact<std::int64_t>()) return std::to_string(*value);
-    refuse(key, fmt::format("a value in {} is neither a string nor a whole number; write decimal numbers as "
-                            "strings, with the digits of the experiment file",
-                            key));
+    refuse(
+        key,
+        fmt::format(
+            "a value in {} is neither a string nor a whole number; write decimal numbers as strings, with the digits of the experiment file",
+            key));
   }
 
   Texts list(std::string_view key, const toml::node& node) const {

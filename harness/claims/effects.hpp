@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "harness/claims/cells.hpp"
-#include "harness/claims/drawing.hpp"
 
 namespace pelage::claims {
 

@@ -1,14 +1,52 @@
-// Decides claims from rows of results.
+// Computes verdicts from bootstrap draws, and decides claims from rows of results.
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/claims/claim.hpp"
-#include "harness/claims/verdict.hpp"
+#include "harness/measure/statistics.hpp"
 #include "harness/record/results_folder.hpp"
 
 namespace pelage::claims {
+
+enum class Verdict { holds, fails, undecided, untestable };
+std::string_view to_text(Verdict verdict);  ///< "holds", "fails", ...
+
+/// A measured effect, and its values in the bootstrap draws.
+struct Estimate {
+  double value = 0;
+  std::vector<double> draws;
+};
+
+struct Decision {
+  Verdict verdict = Verdict::undecided;
+  /// Index of the decisive estimate. If the claim fails, it is the estimate farthest outside the region; if
+  /// it is undecided, the undecided estimate with the smallest margin(); if it holds, that nearest to a
+  /// limit.
+  std::size_t decisive = 0;
+  Interval interval;         ///< percentile interval of the decisive estimate
+  double confidence = 0.95;  ///< confidence level of `interval`; Holm's method may demand more than 0.95
+};
+
+/// Decides whether all m effects (m = estimates.size()) lie in the region. With Holm's method, the
+/// probability that at least one of the m decisions is wrong is at most 5%. In the order of the p-values, the
+/// k-th effect (from k = 1) is decided if its interval with the confidence 1 - 0.05 / (m - k + 1) lies wholly
+/// inside or wholly outside the region. The first effect that is not decided ends the procedure. The claim
+/// fails if an effect is decided to lie outside the region, and holds if all are decided to lie inside;
+/// otherwise it is undecided.
+Decision decide(const std::vector<Estimate>& estimates, const Region& region);
+
+/// The largest number of effects that judge() decides separately. More need more draws, time and memory.
+inline constexpr std::size_t most_effects = 200;
+
+/// Returns the number of bootstrap draws for `effects` separate decisions. More decisions use wider
+/// intervals, near whose limits draws are rare.
+int draws_for(std::size_t effects);
+
+/// Returns the distance of the value from the nearest limit of the region, negative outside it.
+double margin(const Region& region, double value);
 
 /// A claim with its verdict on one device and host.
 struct Judged {

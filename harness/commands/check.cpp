@@ -106,33 +106,24 @@ void add_check(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<CheckOptions>(
       app, chosen, "check", "Compare the results of a device with the double-precision reference",
       run_checks);
-  command
-      .add_option("stages", options.stages,
-                  "Stages to compare: simulate, mask, picture and mappings of shells, chains and strands of "
-                  "fur of single strands (default: all)")
-      ->check(CLI::IsMember(all_stages()))
-      ->type_name("STAGE");
-  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, or part of its name")
-      ->type_name("DEVICE");
-  command
-      .add_option("--mapping", options.mapping,
-                  "Draw with this mapping only (default: with every mapping that suits the device, its own "
-                  "default first): " +
-                      mappings_help())
-      ->check(CLI::IsMember(mappings()))
-      ->type_name("NAME");
-  command
-      .add_option("--filter", options.filter,
-                  "Use only the cases whose names match this regular expression, for instance torus")
-      ->type_name("REGEX");
-  command.add_flag("--full", options.full,
-                   "Compare a larger set of cases: all eight models, each with 16 and 64 layers of curly, "
-                   "wet fur in wind, and a mesh of 5 million triangles");
+  add_value(
+      command, "stages", options.stages, "STAGE",
+      "Stages to compare: simulate, mask, picture and mappings of shells, chains and strands of fur of single strands (default: all)")
+      ->check(CLI::IsMember(all_stages()));
+  add_device_option(command, options.device);
+  add_value(
+      command, "--mapping", options.mapping, "NAME",
+      "Draw with this mapping only (default: with every mapping that suits the device, its own default first): " +
+          mappings_help())
+      ->check(CLI::IsMember(mappings()));
+  add_value(command, "--filter", options.filter, "REGEX",
+            "Use only the cases whose names match this regular expression, for instance torus");
+  command.add_flag(
+      "--full", options.full,
+      "Compare a larger set of cases: all eight models, each with 16 and 64 layers of curly, wet fur in wind, and a mesh of 5 million triangles");
   command.add_flag(
       "--hashes", options.hashes,
-      "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping of pixels "
-      "to work-items, of the masses for every topology and solver, and of 100 frames of single strands for "
-      "three numbers of chunks of the sorted list. Two revisions with equal hashes compute equal results");
+      "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping of pixels to work-items, of the masses for every topology and solver, and of 100 frames of single strands for three numbers of chunks of the sorted list. Two revisions with equal hashes compute equal results");
 }
 
 }  // namespace pelage

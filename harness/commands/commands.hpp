@@ -1,22 +1,24 @@
-// The commands of pelage. Each command has one file NAME.cpp with a function add_NAME(app, chosen), which
-// main() calls. add_NAME declares the command and its options on `app`; --help describes them. If the command
-// line names the command, CLI11 calls the command's callback. The callback stores a function in `chosen`, and
-// main() then runs the stored function. The stored function returns the exit code:
+// The commands of pelage. Each command NAME has a function add_NAME(app, chosen), which main() calls; related
+// commands share a file. add_NAME declares the command and its options on `app`; --help describes them. If
+// the command line names the command, CLI11 calls the command's callback. The callback stores a function in
+// `chosen`, and main() then runs the stored function. The stored function returns the exit code:
 // - 0: success;
 // - 1: a check failed: a difference to the reference is too large (check), a case has another status than
-// `ok`
-//   (run), a case is left out because its picture is wrong (profile), a stage is not tuned because its output
-//   with the default values is wrong (tune), or a device cannot be measured (devices);
+//   `ok` (run), a case is left out because its picture is wrong (profile), a stage is not tuned because its
+//   output with the default values is wrong (tune), or a device cannot be measured (devices);
 // - 4: pelage merge found that shards (parts of a run) or cases are missing;
 // - 5: pelage compare --fail-on-regression found that a case became slower or has no time.
 // If the function throws, main() returns exit code 2 for InputError, 3 for NoDeviceError, and 1 for every
-// other exception. Commands write data to stdout and messages to stderr. The file
-// harness/commands/devices.cpp is a short example.
+// other exception. Commands write data to stdout and messages to stderr. add_devices() in list.cpp is a short
+// example.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace pelage {
 
@@ -33,27 +35,34 @@ std::pair<CLI::App&, Options&> add_command(CLI::App& app, Chosen& chosen, const 
   return {*command, *options};
 }
 
-void add_devices(CLI::App& app, Chosen& chosen);
-void add_scene(CLI::App& app, Chosen& chosen);
-void add_render(CLI::App& app, Chosen& chosen);
-void add_animate(CLI::App& app, Chosen& chosen);
-void add_diagram(CLI::App& app, Chosen& chosen);
-void add_mesh(CLI::App& app, Chosen& chosen);
-void add_topology(CLI::App& app, Chosen& chosen);
-void add_water(CLI::App& app, Chosen& chosen);
-void add_check(CLI::App& app, Chosen& chosen);
-void add_tune(CLI::App& app, Chosen& chosen);
-void add_profile(CLI::App& app, Chosen& chosen);
-void add_list(CLI::App& app, Chosen& chosen);
-void add_run(CLI::App& app, Chosen& chosen);
-void add_merge(CLI::App& app, Chosen& chosen);
-void add_export(CLI::App& app, Chosen& chosen);
-void add_compare(CLI::App& app, Chosen& chosen);
-void add_report(CLI::App& app, Chosen& chosen);
-void add_claims(CLI::App& app, Chosen& chosen);
+/// Adds an option or a positional argument with a value. `type` says in --help what the value is. --help also
+/// shows the default of a number or a text.
+template <class T>
+CLI::Option* add_value(CLI::App& command, const char* names, T& value, const char* type,
+                       const std::string& help) {
+  CLI::Option* option = command.add_option(names, value, help)->type_name(type);
+  constexpr bool shown = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
+  return shown ? option->capture_default_str() : option;
+}
 
-/// `app` must exist as long as the chosen function of these two.
-void add_completion(CLI::App& app, Chosen& chosen);
-void add_manual(CLI::App& app, Chosen& chosen);
+inline void add_device_option(CLI::App& command, std::string& device) {
+  add_value(command, "--device", device, "DEVICE", "Device to use: PLATFORM:INDEX, or part of its name");
+}
+
+inline void add_filter_option(CLI::App& command, std::string& filter) {
+  add_value(command, "--filter", filter, "REGEX",
+            "Use only the cases whose names match this regular expression");
+}
+
+inline void add_results_option(CLI::App& command, std::vector<std::string>& results) {
+  add_value(command, "results", results, "RESULTS", "Folders with results, or journal files")->required();
+}
+
+// The functions that add the commands. `app` must exist as long as the chosen function of add_completion()
+// and add_manual().
+using AddCommand = void(CLI::App& app, Chosen& chosen);
+AddCommand add_devices, add_scene, add_render, add_animate, add_diagram, add_mesh, add_topology, add_water,
+    add_check, add_tune, add_profile, add_list, add_run, add_merge, add_export, add_compare, add_report,
+    add_claims, add_completion, add_manual;
 
 }  // namespace pelage

@@ -81,14 +81,13 @@ void print_notes(const std::vector<Pair>& pairs) {
   if (const auto assumed = count([](const Pair& p) { return p.assumed; }))
     fmt::print(
         stderr,
-        "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
-        "deviation), because fewer than {} processes measured a case; run the experiments with --repeat 5\n",
+        "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard deviation), because fewer than {} processes measured a case; run the experiments with --repeat 5\n",
         assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
   if (const auto contended = count([](const Pair& p) { return p.contended; }))
-    fmt::print(stderr,
-               "pelage: {} of {} comparisons contain rows that were timed while other processes used more "
-               "than {:.0f}% of the machine's CPU time; these verdicts are about the loaded machine\n",
-               contended, pairs.size(), 100 * most_other_share);
+    fmt::print(
+        stderr,
+        "pelage: {} of {} comparisons contain rows that were timed while other processes used more than {:.0f}% of the machine's CPU time; these verdicts are about the loaded machine\n",
+        contended, pairs.size(), 100 * most_other_share);
   double most = 0;
   std::size_t needed = 0, undecided = 0, more = 0;
   for (const Pair& p : pairs) {
@@ -100,20 +99,20 @@ void print_notes(const std::vector<Pair>& pairs) {
     more += p.needed == 0;
   }
   if (most > 0)
-    fmt::print(stderr,
-               "pelage: in the worst undecided case, the test finds a slowdown with a probability of 90% "
-               "only if the time increases by {} or more\n",
-               percent(most));
+    fmt::print(
+        stderr,
+        "pelage: in the worst undecided case, the test finds a slowdown with a probability of 90% only if the time increases by {} or more\n",
+        percent(most));
   if (undecided > more)
-    fmt::print(stderr,
-               "pelage: if the measured changes are the true ones, about {} processes per side (--repeat {}) "
-               "would decide {} of the {} undecided cases\n",
-               needed, needed, undecided - more, undecided);
+    fmt::print(
+        stderr,
+        "pelage: if the measured changes are the true ones, about {} processes per side (--repeat {}) would decide {} of the {} undecided cases\n",
+        needed, needed, undecided - more, undecided);
   if (more > 0)
-    fmt::print(stderr,
-               "pelage: {} changes are so close to the threshold that even 1000 processes per side would not "
-               "decide; use another --threshold\n",
-               more);
+    fmt::print(
+        stderr,
+        "pelage: {} changes are so close to the threshold that even 1000 processes per side would not decide; use another --threshold\n",
+        more);
 }
 
 std::vector<Cell> timed_cells(const std::string& folder, const std::string& phase) {
@@ -141,11 +140,11 @@ int compare(const CompareOptions& options) {
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
   };
-  fmt::print(stderr,
-             "pelage: {} faster, {} slower, {} same, {} undecided, {} without a time in B (threshold {}; "
-             "probability of any wrong verdict at most {})\n",
-             count(Verdict::faster), count(Verdict::slower), count(Verdict::same), count(Verdict::undecided),
-             count(Verdict::lost), options.threshold, options.alpha);
+  fmt::print(
+      stderr,
+      "pelage: {} faster, {} slower, {} same, {} undecided, {} without a time in B (threshold {}; probability of any wrong verdict at most {})\n",
+      count(Verdict::faster), count(Verdict::slower), count(Verdict::same), count(Verdict::undecided),
+      count(Verdict::lost), options.threshold, options.alpha);
   print_notes(pairs);
   const bool regressed = count(Verdict::slower) + count(Verdict::lost) > 0;
   return options.fail_on_regression && regressed ? 5 : 0;
@@ -156,29 +155,17 @@ int compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<CompareOptions>(app, chosen, "compare",
                                                         "Compare two sets of results, case by case", compare);
-  command.add_option("a", options.a, "First set of results")->required()->type_name("A");
-  command
-      .add_option("b", options.b,
-                  "Second set of results; without it, --by compares results of A with each other")
-      ->type_name("B");
-  command.add_option("--by", options.by, "Property in which the two results of a comparison may differ")
-      ->type_name("device|variant|axes.KEY");
-  command
-      .add_option(
-          "--phase", options.phase,
-          "Phase whose times are compared, such as simulate or raster; frame: the time of the whole frame")
-      ->type_name("PHASE")
-      ->capture_default_str();
-  command
-      .add_option("--threshold", options.threshold,
-                  "Largest relative change of a time that counts as no change")
-      ->type_name("5%")
-      ->capture_default_str();
-  command
-      .add_option("--alpha", options.alpha,
-                  "Largest probability that one or more of the verdicts are wrong (Holm's correction)")
-      ->type_name("5%")
-      ->capture_default_str();
+  add_value(command, "a", options.a, "A", "First set of results")->required();
+  add_value(command, "b", options.b, "B",
+            "Second set of results; without it, --by compares results of A with each other");
+  add_value(command, "--by", options.by, "device|variant|axes.KEY",
+            "Property in which the two results of a comparison may differ");
+  add_value(command, "--phase", options.phase, "PHASE",
+            "Phase whose times are compared, such as simulate or raster; frame: the time of the whole frame");
+  add_value(command, "--threshold", options.threshold, "5%",
+            "Largest relative change of a time that counts as no change");
+  add_value(command, "--alpha", options.alpha, "5%",
+            "Largest probability that one or more of the verdicts are wrong (Holm's correction)");
   command.add_flag("--fail-on-regression", options.fail_on_regression,
                    "Exit with code 5 if a case is slower in B or has no time in B");
   command.add_flag("--json", options.json, "Print JSON");

@@ -1,25 +1,55 @@
+// pelage diagram and pelage water: tables and pictures for the papers' figures.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <string>
 
+#include "harness/atomic_file.hpp"
 #include "harness/commands/commands.hpp"
-#include "harness/commands/drawn_table.hpp"
-#include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/frame_output.hpp"
-#include "harness/diagrams/mask_picture.hpp"
-#include "harness/diagrams/section.hpp"
-#include "harness/diagrams/strand_lines.hpp"
+#include "harness/diagrams/diagrams.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/prepare/droplets.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/prepare/water.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "harness/scene/keyframes.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Throws InputError unless write_drawn_table() can write to `output`: "-", or a .csv, .svg or .pdf file in a
+/// folder that exists. `what` names the table in the message.
+void check_table_path(const std::string& output, const std::string& what) {
+  if (output == "-") return;
+  const std::string ending = fs::path(output).extension().string();
+  if (ending != ".csv" && ending != ".svg" && ending != ".pdf")
+    throw InputError(
+        fmt::format("{}: {} is a table; it is written as .csv, or drawn as .svg and .pdf", output, what));
+  require_place(output);
+}
+
+/// Prints the CSV text if `output` is "-", and writes it otherwise. If `output` ends in .svg or .pdf, the
+/// text is written beside it as .csv, and the program harness/report/plots/section.py draws it in both
+/// formats. Throws InputError if the program cannot draw.
+void write_drawn_table(const std::string& output, const std::string& text) {
+  if (output == "-") {
+    fmt::print("{}", text);
+    return;
+  }
+  const fs::path file = output, table = fs::path(file).replace_extension(".csv");
+  write_text_atomically(table, text);
+  if (file.extension() == ".csv") return;
+  const std::string problem = draw_plot(plot_program("section"), table, fs::path(file).replace_extension());
+  if (!problem.empty()) throw InputError(fmt::format("{}: {}", file.string(), problem));
+}
 
 struct DiagramOptions {
   std::string kind, output = "-", device;
@@ -133,32 +163,76 @@ void add_diagram(CLI::App& app, Chosen& chosen) {
     names.emplace_back(k.name);
     help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", k.name, k.what);
   }
-  command.add_option("kind", options.kind, help)->required()->check(CLI::IsMember(names))->type_name("KIND");
+  add_value(command, "kind", options.kind, "KIND", help)->required()->check(CLI::IsMember(names));
   add_scene_options(command, options.scene, true);
-  command
-      .add_option("-o,--output", options.output,
-                  "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn "
-                  "in both formats, beside the .csv; - prints the table")
-      ->type_name("FILE")
-      ->capture_default_str();
-  command.add_option("--side", options.side, "Pixels per side of the mask")
-      ->check(CLI::Range(16, 8192))
-      ->type_name("PIXELS")
-      ->capture_default_str();
-  command.add_option("--most", options.most, "Largest number of strands that are drawn as lines")
-      ->check(CLI::Range(1, 1000000))
-      ->type_name("N")
-      ->capture_default_str();
-  command
-      .add_option("--line-width", options.width, "Width of the lines of strands and of the arrow, in pixels")
-      ->check(CLI::Range(0.5, 50.0))
-      ->type_name("PIXELS")
-      ->capture_default_str();
-  command
-      .add_option(
-          "--device", options.device,
-          "Device that draws the fur of the kinds lines and wind: PLATFORM:INDEX, or part of its name")
-      ->type_name("DEVICE");
+  add_value(
+      command, "-o,--output", options.output, "FILE",
+      "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn in both formats, beside the .csv; - prints the table");
+  add_value(command, "--side", options.side, "PIXELS", "Pixels per side of the mask")
+      ->check(CLI::Range(16, 8192));
+  add_value(command, "--most", options.most, "N", "Largest number of strands that are drawn as lines")
+      ->check(CLI::Range(1, 1000000));
+  add_value(command, "--line-width", options.width, "PIXELS",
+            "Width of the lines of strands and of the arrow, in pixels")
+      ->check(CLI::Range(0.5, 50.0));
+  add_value(command, "--device", options.device, "DEVICE",
+            "Device that draws the fur of the kinds lines and wind: PLATFORM:INDEX, or part of its name");
+}
+
+namespace {
+
+struct WaterOptions {
+  SceneOptions scene;
+  double to = 10, fps = 30;
+  std::string csv = "-";
+};
+
+constexpr double most_lines = 1e6;
+
+bool has_wetness_keyframes(const Scene& scene) {
+  return std::any_of(scene.keyframes.tracks.begin(), scene.keyframes.tracks.end(),
+                     [](const KeyTrack& track) { return track.key.starts_with("wetness."); });
+}
+
+/// Returns the table. If keys of the water have keyframes, the droplets are made again for each line.
+std::string water_table(const Scene& scene, double to, double fps) {
+  const auto mesh = load_scene_mesh(scene);
+  const Skin skin = weld(*mesh);
+  const bool again = has_wetness_keyframes(scene);
+  std::vector<Droplet> droplets;
+  std::string text = water_csv_header();
+  const auto lines = std::size_t(std::floor(to * fps + 1e-6)) + 1;
+  for (std::size_t i = 0; i < lines; ++i) {
+    const double seconds = double(i) / fps;
+    const WetnessScene wetness = scene_at(scene, seconds).wetness;
+    if (i == 0 || again) droplets = make_droplets(mesh, skin, wetness);
+    text += water_csv_line(wetness, droplets, mesh->length_per_uv, seconds);
+  }
+  return text;
+}
+
+int follow_water(const WaterOptions& options) {
+  if (options.to * options.fps > most_lines)
+    throw InputError(fmt::format("--to {} --fps {}: {:.0f} lines; give at most {:.0f}", options.to,
+                                 options.fps, options.to * options.fps, most_lines));
+  check_table_path(options.csv, "the account of the water");
+  write_drawn_table(options.csv, water_table(resolve_scene(options.scene), options.to, options.fps));
+  return 0;
+}
+
+}  // namespace
+
+void add_water(CLI::App& app, Chosen& chosen) {
+  auto [command, options] = add_command<WaterOptions>(
+      app, chosen, "water", "Write where the water of a scene is over time, as CSV", follow_water);
+  add_scene_options(command, options.scene, false);
+  add_value(command, "--to", options.to, "SECONDS", "Time of the last line, s; the first line is at 0")
+      ->check(CLI::Range(0.0, 3600.0));
+  add_value(command, "--fps", options.fps, "F", "Number of lines per second")
+      ->check(CLI::Range(0.001, 1000.0));
+  add_value(
+      command, "--csv", options.csv, "FILE",
+      "Output file (.csv); a file .svg or .pdf is drawn in both formats, beside the .csv; - is standard output");
 }
 
 }  // namespace pelage

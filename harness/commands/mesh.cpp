@@ -1,3 +1,4 @@
+// pelage mesh and pelage topology: prepares a mesh, and prints and draws what is made of it.
 #include "harness/mesh/mesh.hpp"
 
 #include <fmt/format.h>
@@ -9,14 +10,19 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <set>
+#include <string>
 
+#include "harness/atomic_file.hpp"
 #include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
+#include "harness/mesh/models.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/write_ply.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/springs/model/layout.hpp"
+#include "harness/springs/model/network.hpp"
+#include "kernels/simulate/params.h"
 
 namespace pelage {
 namespace {
@@ -112,17 +118,14 @@ void print_mesh(const Mesh& mesh) {
              t.manifold() ? "manifold"
                           : fmt::format("NOT manifold: {} edges and {} points", t.bad_edges, t.bad_points));
   fmt::print(
-      "UV: {} chart{}{}, {:.1f}% of the square covered; flipped {} faces, {:.4f}% of the map; overlapping "
-      "{:.4f}%\n",
+      "UV: {} chart{}{}, {:.1f}% of the square covered; flipped {} faces, {:.4f}% of the map; overlapping {:.4f}%\n",
       q.charts, q.charts == 1 ? "" : "s", mesh.periodic_uv ? " (periodic)" : "", 100 * q.covered,
       q.flipped_faces, 100 * q.flipped, 100 * q.overlapping);
   fmt::print(
-      "UV area / surface area of a face, divided by the same ratio of the whole map (1: no distortion): "
-      "{:.2f} at the 1% quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
+      "UV area / surface area of a face, divided by the same ratio of the whole map (1: no distortion): {:.2f} at the 1% quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
       q.area_low, q.area_median, q.area_high);
   fmt::print(
-      "density of the fur (strands per surface area) / its mean: {:.2f} at the 5% quantile, {:.2f} at the "
-      "95% quantile, {:.2f} times as much\n",
+      "density of the fur (strands per surface area) / its mean: {:.2f} at the 5% quantile, {:.2f} at the 95% quantile, {:.2f} times as much\n",
       q.area_5, q.area_95, q.area_5 > 0 ? q.area_95 / q.area_5 : 0.0);
   fmt::print(
       "surface length per unit of u: {:.3f}, per unit of v: {:.3f} (in radii R of the bounding sphere)\n",
@@ -164,9 +167,9 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   CLI::Option* keep =
       command.add_flag("--keep-uv", options.keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
-      .add_flag("--even-uv", options.even_uv,
-                "Give a chart of its own to each part of the surface that the computed UV map shrinks or "
-                "enlarges by much, so that the density of the fur varies less")
+      .add_flag(
+          "--even-uv", options.even_uv,
+          "Give a chart of its own to each part of the surface that the computed UV map shrinks or enlarges by much, so that the density of the fur varies less")
       ->excludes(keep);
   command
       .add_option("--components", options.components,
@@ -174,14 +177,118 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"all", "largest"}))
       ->capture_default_str();
   add_up_option(command, options.up);
-  command
-      .add_option("--rotate", options.rotate,
-                  "Rotate the model about x, then y, then z by these angles in degrees, for instance -90,0,0")
+  add_value(command, "--rotate", options.rotate, "X,Y,Z",
+            "Rotate the model about x, then y, then z by these angles in degrees, for instance -90,0,0")
       ->delimiter(',')
-      ->expected(3)
-      ->type_name("X,Y,Z");
+      ->expected(3);
   command.add_option("--atlas", options.atlas,
                      "Draw the UV map with its charts, seams and flipped faces as a picture");
+}
+
+namespace {
+
+struct TopologyCommand {
+  std::string model, up = "y";
+  std::optional<std::uint32_t> faces;
+  std::string drawing;
+  float length = 0.15f;
+};
+
+// Maps the name of a topology to the numbers of masses and springs that a paper prints for a model.
+using Published = decltype(Model::published);
+
+Published published_of(const std::string& model) {
+  for (const Model& known : models())
+    if (known.name == model) return known.published;
+  return {};
+}
+
+// An arbitrary fur length in R, the radius of the bounding sphere. The command prints numbers of masses and
+// springs and sizes of memory, which do not depend on this length.
+constexpr float any_length = 0.05f;
+
+void row(std::string_view what, const auto& masses, const auto& springs, const std::string& degrees,
+         const std::string& explicit_kib, const std::string& implicit_kib, const std::string& paper = "") {
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>10} {:>10}{}\n", what, masses, springs, degrees, explicit_kib,
+             implicit_kib, paper.empty() ? "" : fmt::format("  {:>14}", paper));
+}
+
+void print_topology(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on,
+                    const Published& published) {
+  const springs::Solver& implicit = *std::find_if(std::begin(springs::solvers), std::end(springs::solvers),
+                                                  [](const auto& s) { return s.implicit; });
+  const springs::SpringNetwork built = springs::build(kind, mesh, any_length, vertices);
+  const springs::Degrees d = springs::degrees(built);
+  const springs::Layout layout = springs::lay_out(built, {});
+  const auto kib = [&](springs::Solver solver) {
+    return fmt::format("{:.0f}", double(springs::memory(layout, solver)) / 1024);
+  };
+  const auto said = published.find(std::string(springs::name(kind)));
+  const std::string paper =
+      said == published.end() ? "" : fmt::format("{} / {}", said->second[0], said->second[1]);
+  row(fmt::format("{}{}", springs::name(kind), on), built.mass.size(), built.spring.size(),
+      fmt::format("{} / {:.2f} / {}", d.least, d.mean, d.most), kib(springs::default_solver), kib(implicit),
+      paper);
+}
+
+void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
+  const std::filesystem::path path = command.drawing;
+  if (path.extension() != ".svg")
+    throw InputError(fmt::format("--draw {}: the name of the drawing must end in .svg", command.drawing));
+  const std::string svg = springs::drawing_of(mesh, command.length);
+  write_text_atomically(path, svg);
+}
+
+int count_springs(const TopologyCommand& command) {
+  MeshOptions options;
+  options.faces = command.faces;
+  MeshScene turn;
+  turn.up = command.up;
+  options.rotate = rotation_of(turn);
+  options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
+  const auto mesh = load_model(command.model, options);
+  if (!command.drawing.empty()) write_drawing(*mesh, command);
+  const Topology counts = topology(*mesh);
+  const Published published = command.faces ? Published() : published_of(command.model);
+  fmt::print(
+      "{}: {} surface points, {} vertices (a point on a UV seam has several vertices), {} edges, {} faces\n",
+      mesh->name, counts.points, counts.copies, counts.edges, counts.faces);
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}{}\n", "", "", "", "springs per top", "device memory, KiB",
+             published.empty() ? "" : "       in the paper");
+  row("topology", "masses", "springs", "least/mean/most", "explicit", "implicit",
+      published.empty() ? "" : "masses/springs");
+  for (const springs::Kind kind : springs::kinds)
+    print_topology(*mesh, kind, springs::Vertices::points, "", published);
+  const std::size_t strands = (counts.faces + 15) / 16 * 16 * sizeof(float) *
+                              (std::size_t(VIRTUAL_STRAND_COLUMNS) + std::size_t(STATE_COLUMNS));
+  row("strands (Silva et al. 2010)", counts.faces, counts.faces, "1 / 1.00 / 1",
+      fmt::format("{:.0f}", double(strands) / 1024), "-");
+  if (counts.copies != counts.points)
+    for (const springs::Kind& kind : springs::kinds)
+      if (!kind.separable)
+        print_topology(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
+  return 0;
+}
+
+}  // namespace
+
+void add_topology(CLI::App& app, Chosen& chosen) {
+  auto [command, options] = add_command<TopologyCommand>(
+      app, chosen, "topology",
+      "Print the masses, springs and memory of each topology over a model, and draw the topologies",
+      count_springs);
+  command
+      .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
+      ->required();
+  command.add_option("--faces", options.faces,
+                     "Simplify or refine the mesh to exactly this number of triangles");
+  add_up_option(command, options.up);
+  add_value(command, "--draw", options.drawing, "PICTURE.svg", "Draw the four topologies into this file");
+  command
+      .add_option("--length", options.length,
+                  "Length of the sticks in the drawing, in radii of the bounding sphere")
+      ->check(CLI::Range(0.001f, 10.0f))
+      ->capture_default_str();
 }
 
 }  // namespace pelage

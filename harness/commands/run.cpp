@@ -63,11 +63,11 @@ void take_shard(Sweep& sweep, const RunOptions& options) {
     own_s += seconds[i].value_or(0);
   }
   if (!options.balance.empty())
-    fmt::print(stderr,
-               "pelage: {}: shard {} has {} of {} cases; earlier rows took {:.1f} s for these cases and "
-               "{:.1f} s for all cases{}\n",
-               sweep.experiment.name, options.shard, own.size(), shards.size(), own_s, all_s,
-               unknown ? fmt::format("; {} cases have no earlier row", unknown) : "");
+    fmt::print(
+        stderr,
+        "pelage: {}: shard {} has {} of {} cases; earlier rows took {:.1f} s for these cases and {:.1f} s for all cases{}\n",
+        sweep.experiment.name, options.shard, own.size(), shards.size(), own_s, all_s,
+        unknown ? fmt::format("; {} cases have no earlier row", unknown) : "");
   sweep.cases = std::move(own);
 }
 

@@ -76,56 +76,41 @@ fs::path RunOptions::folder() const {
 }
 
 void declare_cases(CLI::App& command, RunOptions& options) {
-  command
-      .add_option("--preset", options.preset,
-                  "Preset: smoke runs for a few seconds; quick times every case with few samples; paper "
-                  "takes as many samples as a publication needs")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
-      ->type_name("NAME|FILE");
+  add_value(
+      command, "--preset", options.preset, "NAME",
+      "Preset: smoke runs for a few seconds; quick times every case with few samples; paper takes as many samples as a publication needs");
+  add_value(command, "--model", options.model, "NAME|FILE",
+            "Model or mesh file that replaces the experiment's models");
   add_up_option(command, options.up);
-  command.add_option("--set", options.set, "Override a key of the scene")->type_name("key=value")->take_all();
-  command
-      .add_option("--axis", options.axis, "Use these values of an axis instead of the experiment's values")
-      ->type_name("key=a,b")
+  add_value(command, "--set", options.set, "key=value", "Override a key of the scene")->take_all();
+  add_value(command, "--axis", options.axis, "key=a,b",
+            "Use these values of an axis instead of the experiment's values")
       ->take_all();
-  command
-      .add_option("--filter", options.filter, "Use only the cases whose names match this regular expression")
-      ->type_name("REGEX");
+  add_filter_option(command, options.filter);
 }
 
 void declare(CLI::App& command, RunOptions& options) {
-  command
-      .add_option("experiment", options.experiments,
-                  "Experiments or collections of experiments: names that `pelage list` shows, or FILE.toml")
-      ->required()
-      ->type_name("EXPERIMENT|FILE.toml");
+  add_value(command, "experiment", options.experiments, "EXPERIMENT|FILE.toml",
+            "Experiments or collections of experiments: names that `pelage list` shows, or FILE.toml")
+      ->required();
   declare_cases(command, options);
-  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, part of its name, or all")
-      ->type_name("DEVICE");
-  command.add_option("--shard", options.shard, "Run only every n-th case, beginning with case i (from 0)")
-      ->type_name("i/n");
-  command
-      .add_option("--balance", options.balance,
-                  "With --shard: use the times in these earlier results to divide the cases into shards that "
-                  "take about the same time")
-      ->type_name("RESULTS");
+  add_value(command, "--device", options.device, "DEVICE",
+            "Device to use: PLATFORM:INDEX, part of its name, or all");
+  add_value(command, "--shard", options.shard, "i/n",
+            "Run only every n-th case, beginning with case i (from 0)");
+  add_value(
+      command, "--balance", options.balance, "RESULTS",
+      "With --shard: use the times in these earlier results to divide the cases into shards that take about the same time");
   command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  command
-      .add_option(
-          "--mapping", options.mapping,
-          "Mapping of pixels to work-items if the experiment names none (default: depends on the device): " +
-              mappings_help())
-      ->check(CLI::IsMember(mappings()))
-      ->type_name("NAME");
-  command
-      .add_option("--tuning", options.tuning,
-                  "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote")
-      ->type_name("defaults|FILE")
-      ->capture_default_str();
+  add_value(
+      command, "--mapping", options.mapping, "NAME",
+      "Mapping of pixels to work-items if the experiment names none (default: depends on the device): " +
+          mappings_help())
+      ->check(CLI::IsMember(mappings()));
+  add_value(command, "--tuning", options.tuning, "defaults|FILE",
+            "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote");
   const std::map<std::string, double> seconds{{"s", 1}, {"m", 60}, {"h", 3600}};
   command
       .add_option("--budget", options.budget_s,
@@ -136,31 +121,22 @@ void declare(CLI::App& command, RunOptions& options) {
                                      : std::string();
       })
       ->type_name("TIME");
-  command.add_option("-o,--output", options.output, "New folder for the results")->type_name("DIR");
-  command
-      .add_option("--resume", options.resume,
-                  "Continue the interrupted run in this folder; its finished rows are kept")
-      ->type_name("DIR");
-  command
-      .add_option("--order-seed", options.order_seed,
-                  "Seed of the random order of the cases, as recorded in the rows of an earlier run")
+  add_value(command, "-o,--output", options.output, "DIR", "New folder for the results");
+  add_value(command, "--resume", options.resume, "DIR",
+            "Continue the interrupted run in this folder; its finished rows are kept");
+  add_value(command, "--order-seed", options.order_seed, "N",
+            "Seed of the random order of the cases, as recorded in the rows of an earlier run")
       ->check([](const std::string& seed) {
         return seed.starts_with('-') ? "the seed " + seed + " is negative; give a whole number of at least 0"
                                      : std::string();
-      })
-      ->type_name("N");
-  command
-      .add_option("--host", options.host,
-                  "Name of the host in the rows (default: the name of this machine). If nodes of a cluster "
-                  "have equal hardware, give all of them the same name, so that their rows are in one table")
-      ->type_name("NAME");
-  command
-      .add_option("--quiet-machine", options.quiet_machine,
-                  "Before each case, measure for one second whether other processes use more than 10% of the "
-                  "machine's CPU time. If they do, warn prints a warning, and require waits until they use "
-                  "less; if they still use more after a minute, require ends the run with code 1")
-      ->check(CLI::IsMember({"warn", "require"}))
-      ->type_name("warn|require");
+      });
+  add_value(
+      command, "--host", options.host, "NAME",
+      "Name of the host in the rows (default: the name of this machine). If nodes of a cluster have equal hardware, give all of them the same name, so that their rows are in one table");
+  add_value(
+      command, "--quiet-machine", options.quiet_machine, "warn|require",
+      "Before each case, measure for one second whether other processes use more than 10% of the machine's CPU time. If they do, warn prints a warning, and require waits until they use less; if they still use more after a minute, require ends the run with code 1")
+      ->check(CLI::IsMember({"warn", "require"}));
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
   command.add_flag("--dry-run", options.dry_run, "Print the cases without running them");
   command.add_option("--repeat-index", options.repeat_index)->group("");

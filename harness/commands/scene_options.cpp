@@ -1,7 +1,9 @@
 #include "harness/commands/scene_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -12,8 +14,10 @@
 #include "harness/mesh/soup.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/scene/pipelines.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "harness/shells/opencl/shells.hpp"
 
 namespace fs = std::filesystem;
 
@@ -61,32 +65,27 @@ Scene case_scene(const std::string& experiment_name, const std::string& name) {
 
 void add_up_option(CLI::App& command, std::string& up) {
   command
-      .add_option("--up", up,
-                  "Axis of the mesh file that points up; with z the model is rotated, because y points up in "
-                  "a scene (scene key mesh.up)")
+      .add_option(
+          "--up", up,
+          "Axis of the mesh file that points up; with z the model is rotated, because y points up in a scene (scene key mesh.up)")
       ->check(CLI::IsMember(choices_of("mesh.up")))
       ->type_name("AXIS");
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
-  command
-      .add_option("scene", options.file,
-                  "Scene file, or name of an example scene, such as wet-curls; without one, all keys of the "
-                  "scene have their default values")
-      ->type_name("SCENE");
-  command
-      .add_option("--case", options.case_name,
-                  "Use the scene of this case of an experiment; SCENE is then the name of the experiment, or "
-                  "FILE.toml")
-      ->type_name("CASE");
-  command.add_option("--set", options.set, "Override one key of the scene; may be repeated")
-      ->type_name("KEY=VALUE")
+  add_value(
+      command, "scene", options.file, "SCENE",
+      "Scene file, or name of an example scene, such as wet-curls; without one, all keys of the scene have their default values");
+  add_value(
+      command, "--case", options.case_name, "CASE",
+      "Use the scene of this case of an experiment; SCENE is then the name of the experiment, or FILE.toml");
+  add_value(command, "--set", options.set, "KEY=VALUE", "Override one key of the scene; may be repeated")
       ->allow_extra_args(false);
-  command.add_option("--model", options.model, "Model: a name in experiments/models.toml, or a mesh file")
-      ->type_name("MODEL");
+  add_value(command, "--model", options.model, "MODEL",
+            "Model: a name in experiments/models.toml, or a mesh file");
   add_up_option(command, options.up);
   if (!draws) return;
-  command.add_option("--size", options.size, "Size of the picture in pixels")->type_name("WxH");
+  add_value(command, "--size", options.size, "WxH", "Size of the picture in pixels");
 }
 
 Scene resolve_scene(const SceneOptions& options) {
@@ -106,6 +105,89 @@ Scene resolve_scene(const SceneOptions& options) {
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene) {
   const auto mesh = load_scene_mesh(scene, [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
   for (const std::string& warning : uv_warnings(*mesh)) fmt::print(stderr, "{}: {}\n", mesh->name, warning);
+  return mesh;
+}
+
+namespace {
+
+/// Returns the name of the first backend for which `property` is true.
+std::string_view backend_with(bool BackendKind::*property) {
+  for (const System* system : systems())
+    for (const BackendKind& kind : system->backends)
+      if (kind.*property) return kind.name;
+  return {};
+}
+
+/// Throws InputError if --mapping names a mapping that does not suit the device.
+void check_mapping(const std::string& mapping, const System& system, const cl::DeviceInfo& device) {
+  const std::vector<std::string> names = system.mappings(device);
+  if (!mapping.empty() && std::find(names.begin(), names.end(), mapping) == names.end())
+    throw InputError(fmt::format("--mapping {}: on {}, {} can be drawn with {}", mapping, device.name,
+                                 system.name, fmt::join(names, ", ")));
+}
+
+void warn(const RendererOptions& options, const std::string& text) {
+  if (options.strict) throw InputError(fmt::format("--strict: {}", text));
+  fmt::print(stderr, "pelage: warning: {}\n", text);
+}
+
+}  // namespace
+
+void add_renderer_options(CLI::App& command, RendererOptions& options) {
+  command
+      .add_option("--pipeline", options.pipeline,
+                  fmt::format("{} (default: the scene's key pipeline)", pipelines_help()))
+      ->check(CLI::IsMember(choices_of("pipeline")));
+  add_value(command, "--opengl", options.opengl, "OPTIONS",
+            "Implementation choices of the OpenGL baseline: name=value,name=value (docs/baselines.md)");
+  add_value(
+      command, "--mapping", options.mapping, "NAME",
+      "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the device; strands have tile and group): " +
+          mappings_help())
+      ->check(CLI::IsMember(mappings()));
+  add_device_option(command, options.device);
+  command
+      .add_option(
+          "--reference-bits", options.bits,
+          "8: the reference rounds its picture to 8 bits per channel after every layer, like GPUs of 2010")
+      ->check(CLI::IsMember({8, 32}))
+      ->capture_default_str();
+  command.add_flag(
+      "--strict", options.strict,
+      "End with status 2 instead of a warning, for instance if the pipeline does not use a key of the scene");
+}
+
+const std::string& pipeline_of(const RendererOptions& options, const Scene& scene) {
+  return options.pipeline.empty() ? scene.pipeline : options.pipeline;
+}
+
+std::unique_ptr<Renderer> open_renderer(const RendererOptions& options, const Scene& scene,
+                                        const Scene& shown) {
+  const std::string& name = pipeline_of(options, scene);
+  const KnownBackend known = backend_named(name);
+  if (!known) throw InputError(fmt::format("--pipeline {}: no such pipeline", name));
+  if (options.bits == 8 && !known.kind->rounds)
+    throw InputError(fmt::format("--reference-bits 8: works only with the reference; add --pipeline {}",
+                                 backend_with(&BackendKind::rounds)));
+  if (!options.opengl.empty() && !known.kind->has_variants)
+    throw InputError(fmt::format("--opengl: works only with the OpenGL baseline; add --pipeline {}",
+                                 backend_with(&BackendKind::has_variants)));
+  if (const auto ignored = ignored_keys(scene, name); !ignored.empty())
+    warn(options, fmt::format("the pipeline {} does not use these keys of the scene: {}", name,
+                              fmt::join(ignored, ", ")));
+  BackendOptions how{.mapping = options.mapping, .opengl = options.opengl, .bits = options.bits};
+  how.few_pictures = true;
+  if (known.kind->on_device) {
+    how.device = cl::choose_device(options.device);
+    check_mapping(options.mapping, *known.system, how.device->info());
+  }
+  return std::make_unique<Renderer>(known, how, shown);
+}
+
+std::shared_ptr<const Mesh> load_drawn_mesh(const RendererOptions& options, const Scene& scene) {
+  auto mesh = load_scene_mesh(scene);
+  if (const auto warnings = uv_warnings(*mesh); options.strict && !warnings.empty())
+    warn(options, fmt::format("{}: {}", mesh->name, fmt::join(warnings, "; ")));
   return mesh;
 }
 

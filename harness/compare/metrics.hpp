@@ -1,9 +1,12 @@
-// Compares two pictures of the same fur, and selects windows for the comparison.
+// Compares two pictures of the same fur, and selects windows for the comparison. Measures the height of a
+// model in a picture, and the wet share of a model's surface.
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <vector>
 
+#include "harness/mesh/mesh.hpp"
 #include "harness/picture/picture.hpp"
 
 namespace pelage {
@@ -50,5 +53,14 @@ std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int s
 /// pixels apart; windows without a fur pixel are left out. The luma is that of Rec. 601, clamped to 0..1.
 /// Returns 1 if there is no fur pixel. Throws InputError if the sizes differ.
 double ssim(const Picture& a, const Picture& b);
+
+/// Returns the share of the picture's pixel rows that contain fur, 0..1.
+double model_height(const Picture& picture);
+
+/// Returns the area of the triangles whose mask texel is wet, as a share of the mesh's area, 0..1. `mask` has
+/// side x side texels. A texel (c_u, c_v, r, rho) contains the centre, the radius and the wetness of a clump.
+/// A texel is wet if rho is above 0. The mask texel of a triangle is the texel at the mean of the triangle's
+/// three UV positions.
+double wet_share(const Mesh& mesh, const std::vector<glm::vec4>& mask, int side);
 
 }  // namespace pelage

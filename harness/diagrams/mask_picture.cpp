@@ -1,5 +1,3 @@
-#include "harness/diagrams/mask_picture.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "harness/diagrams/strand_lines.hpp"
+#include "harness/diagrams/diagrams.hpp"
 
 namespace pelage::diagrams {
 namespace {

@@ -1,11 +1,10 @@
-#include "harness/diagrams/section.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <glm/common.hpp>
 
 #include "harness/compare/frame_output.hpp"
+#include "harness/diagrams/diagrams.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
 

@@ -1,11 +1,10 @@
-#include "harness/diagrams/strand_lines.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "harness/diagrams/diagrams.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/layers.hpp"

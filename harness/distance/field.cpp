@@ -79,8 +79,7 @@ std::shared_ptr<const Mesh> closed(std::shared_ptr<const Mesh> mesh) {
   if (!is_closed(*mesh))
     throw InputError(
         "mesh '" + mesh->name +
-        "': it is not closed, so it has no inside; strands on it collide with the plane of their "
-        "own skin only");
+        "': it is not closed, so it has no inside; strands on it collide with the plane of their own skin only");
   return mesh;
 }
 

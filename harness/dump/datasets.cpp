@@ -1,5 +1,3 @@
-#include "harness/dump/datasets.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -65,21 +63,18 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
   const std::vector<float> projection{focal, 0, 0, 0, 0, focal, 0, 0, 0, 0, 0, camera.near, 0, 0, 1, 0};
   file.write(
       "camera/view", {4, 4}, view, "R",
-      "row-major matrix; its product with (p, 1) is (x, y, z, 1), where x, y and z are the distances of the "
-      "point p from the eye to the right, downwards and forwards");
+      "row-major matrix; its product with (p, 1) is (x, y, z, 1), where x, y and z are the distances of the point p from the eye to the right, downwards and forwards");
   file.write(
       "camera/projection", {4, 4}, projection, "pixels",
-      "row-major matrix; to project a point, multiply this matrix by the vector that camera/view gives; the "
-      "result is (x w, y w, near, w); x and y: coordinates in pixels to the right and downwards from the "
-      "picture's centre; w: view depth; near: view depth of the near plane");
+      "row-major matrix; to project a point, multiply this matrix by the vector that camera/view gives; the result is (x w, y w, near, w); x and y: coordinates in pixels to the right and downwards from the picture's centre; w: view depth; near: view depth of the near plane");
 }
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
 void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
   file.write("strand/normal", strands.normal, "1", "unit normals n of the triangles");
-  file.write("strand/anchor", strands.anchor, "R",
-             "vectors from the roots to the rest positions of the tips; their length is fur.length, or with "
-             "fur.length_map that of the strand");
+  file.write(
+      "strand/anchor", strands.anchor, "R",
+      "vectors from the roots to the rest positions of the tips; their length is fur.length, or with fur.length_map that of the strand");
   file.write("strand/phase", strands.phase, "1", "cosine and sine of the wind gust's phase at the root");
   file.write("weight/row", strands.row, "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
@@ -87,8 +82,7 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
              "index of the strand of each entry, which is also the index of the strand's triangle");
   file.write(
       "weight/value", strands.weight, "1",
-      "weight of each entry: area of the triangle, divided by the total area of all triangles at the surface "
-      "point; the weights of a point sum to 1");
+      "weight of each entry: area of the triangle, divided by the total area of all triangles at the surface point; the weights of a point sum to 1");
 }
 
 void write_scene_text(Hdf5File& file, const Scene& scene) {
@@ -112,10 +106,9 @@ void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std
 void write_shape(Hdf5File& file, const Mesh& mesh) {
   file.write("mesh/position", mesh.position, "R",
              "positions of the vertices; a surface point on a UV seam has one vertex for each of its UVs");
-  file.write("mesh/triangle", mesh.triangle, "1",
-             "indices of each triangle's three vertices, counter-clockwise seen from outside; triangles are "
-             "drawn in "
-             "this order");
+  file.write(
+      "mesh/triangle", mesh.triangle, "1",
+      "indices of each triangle's three vertices, counter-clockwise seen from outside; triangles are drawn in this order");
   file.write("mesh/uv", mesh.uv, "UV", "texture coordinates");
   file.write("mesh/point", mesh.weld, "1",
              "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
@@ -130,8 +123,7 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
   file.write("curl/v", input.curl.v, "1", "second axis of the curl at each surface point, unit length");
   file.write(
       "curl/mask_uv", input.curl.mask_uv, "UV",
-      "UV at which the wetness mask is read for each surface point; this is the UV of the first of the "
-      "point's vertices");
+      "UV at which the wetness mask is read for each surface point; this is the UV of the first of the point's vertices");
 }
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -181,8 +173,7 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
       "surface point at the centre of each texel of the wetness mask; the axes of the array are v and u");
   file.write(
       "mask", {side, side}, output.mask, "UV, UV, UV, 1",
-      "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 if no "
-      "droplet touches the texel; the axes of the array are v and u");
+      "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 if no droplet touches the texel; the axes of the array are v and u");
 }
 
 void write_textures(Hdf5File& file, const FrameInput& input) {
@@ -190,17 +181,17 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
   const auto layers = static_cast<std::size_t>(fur.layers), coat = static_cast<std::size_t>(input.coat.size);
   for (std::size_t level = 0; level < fur.level.size(); ++level) {
     const std::size_t side = static_cast<std::size_t>(fur.size) >> level;
-    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side}, fur.level[level],
-               "1/255, 1/127.5",
-               "coverage of the fur, and factor that multiplies the coat's colour; the axes of the array are "
-               "layer, v and u");
+    file.write(
+        level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side}, fur.level[level],
+        "1/255, 1/127.5",
+        "coverage of the fur, and factor that multiplies the coat's colour; the axes of the array are layer, v and u");
   }
-  file.write("fur_scale", std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
-             "number of repeats of the fur texture per unit of u and of v: fur.tile l_u and fur.tile l_v, "
-             "rounded to integers of at least 1 if the UV map is periodic");
-  file.write("colour", {coat, coat}, input.coat.texel, "1/255",
-             "colours of the coat in gamma space (R, G, B and an unused channel); the axes of the array are "
-             "v and u");
+  file.write(
+      "fur_scale", std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
+      "number of repeats of the fur texture per unit of u and of v: fur.tile l_u and fur.tile l_v, rounded to integers of at least 1 if the UV map is periodic");
+  file.write(
+      "colour", {coat, coat}, input.coat.texel, "1/255",
+      "colours of the coat in gamma space (R, G, B and an unused channel); the axes of the array are v and u");
 }
 
 /// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the
@@ -223,8 +214,7 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   }
   file.write(
       "layer/offset", {layers, geometry.slots()}, offset, "R",
-      "displacement B + phi of each vertex of each layer, or of each corner of a triangle if the layers of "
-      "neighbouring triangles are not connected; from the reference's motion of the strands");
+      "displacement B + phi of each vertex of each layer, or of each corner of a triangle if the layers of neighbouring triangles are not connected; from the reference's motion of the strands");
 }
 
 /// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh
@@ -244,26 +234,26 @@ void write_style(Hdf5File& file, const FrameInput& input) {
                "factor of fur.density at the centres of the map's pixels, top row (v = 1) first");
   const DistanceField* field = input.contact_field.get();
   if (!field) return;
-  file.write("contact/field",
-             {std::size_t(field->nodes.z), std::size_t(field->nodes.y), std::size_t(field->nodes.x)},
-             field->distance, "1",
-             "distances from the mesh among the colliders, divided by contact.mesh_scale, negative inside; "
-             "the axes of the array are z, y and x");
-  file.write("contact/grid", std::array{field->origin.x, field->origin.y, field->origin.z, field->cell}, "1",
-             "position of the field's first node relative to the mesh, and the distance of adjacent nodes, "
-             "both divided by contact.mesh_scale");
+  file.write(
+      "contact/field",
+      {std::size_t(field->nodes.z), std::size_t(field->nodes.y), std::size_t(field->nodes.x)},
+      field->distance, "1",
+      "distances from the mesh among the colliders, divided by contact.mesh_scale, negative inside; the axes of the array are z, y and x");
+  file.write(
+      "contact/grid", std::array{field->origin.x, field->origin.y, field->origin.z, field->cell}, "1",
+      "position of the field's first node relative to the mesh, and the distance of adjacent nodes, both divided by contact.mesh_scale");
 }
 
 }  // namespace
 
 void write_camera(Hdf5File& file, const Camera& camera) {
-  file.write("camera/rows", std::array{camera.row_x, camera.row_y, camera.row_w}, "pixels R, pixels R, R",
-             "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates "
-             "X, Y and w");
+  file.write(
+      "camera/rows", std::array{camera.row_x, camera.row_y, camera.row_w}, "pixels R, pixels R, R",
+      "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates X, Y and w");
   file.write("camera/eye", {}, std::array{camera.eye}, "R", "position of the eye");
-  file.write("camera/ray", std::array{camera.ray, camera.ray_dx, camera.ray_dy}, "1, 1/pixel, 1/pixel",
-             "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "
-             "normalized");
+  file.write(
+      "camera/ray", std::array{camera.ray, camera.ray_dx, camera.ray_dy}, "1, 1/pixel, 1/pixel",
+      "direction of the ray through the picture's centre, and its change per pixel in x and in y; not normalized");
   file.write("camera/pixel", std::array{camera.pixel}, "1",
              "width of a pixel at the view depth w, divided by w");
   file.write("camera/near", std::array{camera.near}, "R", "view depth of the near plane");
@@ -303,10 +293,10 @@ void write_dump(const std::filesystem::path& path, const DumpedFrame& frame,
     dump::write_shape(file, frame.mesh);
     arrays(file);
     const Picture& image = frame.picture;
-    file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)},
-               image.pixel, "1",
-               "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the "
-               "coverage of the fur elsewhere");
+    file.write(
+        "image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)}, image.pixel,
+        "1",
+        "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the coverage of the fur elsewhere");
     file.close();
   });
 }

@@ -1,8 +1,10 @@
-// Writes all inputs and intermediate results of a frame to a file, so that another program can check each
-// stage.
+// Writes all inputs and intermediate results of a frame to an HDF5 file, so that another program can check
+// each stage. docs/dump.md lists the datasets.
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <type_traits>
+#include <vector>
 
 #include "harness/compare/frame_output.hpp"
 #include "harness/compare/strands.hpp"
@@ -38,4 +40,20 @@ void write_shells(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
 void write_strand_frame(Hdf5File& file, const strands::StrandInput& input, const StrandFrame& frame);
 
 }  // namespace dump
+
 }  // namespace pelage
+
+namespace pelage::dump {
+/// Returns one value per element: `value` is a member or a function of the element.
+template <class Element, class Value>
+auto column(const std::vector<Element>& elements, const Value& value) {
+  std::vector<std::remove_cvref_t<std::invoke_result_t<Value, const Element&>>> values;
+  values.reserve(elements.size());
+  for (const Element& element : elements) values.push_back(std::invoke(value, element));
+  return values;
+}
+
+void write_camera(Hdf5File& file, const Camera& camera);
+}  // namespace pelage::dump
+
+namespace pelage {}  // namespace pelage

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "harness/dump/datasets.hpp"
 #include "harness/dump/dump.hpp"
 
 namespace pelage {
@@ -64,9 +63,9 @@ void write_look(Hdf5File& file, const StrandInput& input) {
   const auto layer = [](const LayerLook& l) {
     return std::array{std::uint32_t(l.rank), std::uint32_t(l.first_frame), std::uint32_t(l.frames)};
   };
-  file.write("light/layer", column(input.look.layers, layer), "1",
-             "rank of each fur layer in the sort keys, its first film frame, and its number of film frames, "
-             "which is 1 without a film strip");
+  file.write(
+      "light/layer", column(input.look.layers, layer), "1",
+      "rank of each fur layer in the sort keys, its first film frame, and its number of film frames, which is 1 without a film strip");
   std::vector<std::array<std::uint8_t, 3>> film;
   for (const FilmFrame& frame : input.look.film)
     for (const FilmSample& sample : frame) film.push_back({sample.luminance, sample.gloss, sample.opacity});

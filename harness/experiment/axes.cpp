@@ -69,10 +69,9 @@ void refuse_contradicting_tables(const Experiment& experiment, const Axis& axis,
   for (const std::string& value : axis.values)
     for (const std::string& key : varied_by(other.key))
       if (table_sets(experiment, axis.key, value, key))
-        throw InputError(
-            fmt::format("{}: the table [{}.{}] sets {}, which the axis {} varies; remove the key from the "
-                        "table, or remove the axis",
-                        experiment.name, axis.key, value, key, other.key));
+        throw InputError(fmt::format(
+            "{}: the table [{}.{}] sets {}, which the axis {} varies; remove the key from the table, or remove the axis",
+            experiment.name, axis.key, value, key, other.key));
 }
 
 }  // namespace

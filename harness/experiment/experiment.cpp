@@ -86,11 +86,9 @@ void check_recorded(const Experiment& experiment, const std::map<std::string, st
   double size = 0;
   for (const auto& [key, value] : recorded) size += double(key.size() + value.size());
   if (size * cases > most_recorded)
-    throw InputError(
-        fmt::format("{}: each of the {:.0f} cases records the values of --set and --axis, {:.0f} MB in "
-                    "total; the limit is "
-                    "{:.0f} MB. Give the values of long axes in an experiment file",
-                    experiment.name, cases, size * cases / 1e6, most_recorded / 1e6));
+    throw InputError(fmt::format(
+        "{}: each of the {:.0f} cases records the values of --set and --axis, {:.0f} MB in total; the limit is {:.0f} MB. Give the values of long axes in an experiment file",
+        experiment.name, cases, size * cases / 1e6, most_recorded / 1e6));
 }
 
 /// Returns the pipeline that the scene of the case names.
@@ -190,7 +188,7 @@ fs::path example_scene(const std::string& name) {
 
 }  // namespace
 
-Case baseline_case(const Experiment& experiment, const Case& which) {
+Case control_case(const Experiment& experiment, const Case& which) {
   std::vector<Axis> axes;
   for (const Axis& axis : experiment.axes) {
     const bool named = axis.key != "variant" && axis.key != "layers" && axis.key != "size" &&
@@ -287,10 +285,9 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
   std::set<std::string> names;
   for (const Case& c : result) {
     if (c.name.size() > longest_case_name)
-      throw InputError(
-          fmt::format("{}: the name of case {}... has {} characters; the limit is {}, because files are "
-                      "named after the case. Use shorter names",
-                      experiment.name, c.name.substr(0, 40), c.name.size(), longest_case_name));
+      throw InputError(fmt::format(
+          "{}: the name of case {}... has {} characters; the limit is {}, because files are named after the case. Use shorter names",
+          experiment.name, c.name.substr(0, 40), c.name.size(), longest_case_name));
     if (!names.insert(c.name).second)
       throw InputError(fmt::format("{}: two cases have the name {}", experiment.name, c.name));
   }

@@ -152,7 +152,7 @@ Scene scene_of(const Experiment& experiment, const Case& which);
 
 /// Returns the case with the first value, in the experiment file, of each axis whose values are names of
 /// tables, other than model, layers, size and variant. Other axes and --set stay.
-Case baseline_case(const Experiment& experiment, const Case& which);
+Case control_case(const Experiment& experiment, const Case& which);
 
 /// The option --filter: a regular expression in RE2's syntax that selects cases by their names. RE2 matches
 /// in a time proportional to the length of the text; std::regex can take exponential time or overflow the

@@ -1,13 +1,11 @@
 // Reads experiment files (experiments/*.toml).
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <re2/re2.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "harness/base/numbers.hpp"
 #include "harness/base/toml_file.hpp"
@@ -212,10 +210,11 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   for (const toml::node& node : *cells) {
     const auto* cell = node.as_array();
     if (!cell || cell->size() != keys->size() + 1)
-      refuse(file, &node,
-             fmt::format("each entry of cells must contain {} values (one per entry of keys) and then the "
-                         "published number",
-                         keys->size()));
+      refuse(
+          file, &node,
+          fmt::format(
+              "each entry of cells must contain {} values (one per entry of keys) and then the published number",
+              keys->size()));
     Published published;
     for (std::size_t i = 0; i < keys->size(); ++i) published.at[plain((*keys)[i])] = plain((*cell)[i]);
     try {
@@ -276,12 +275,11 @@ void read_tables_of_own_axis(const fs::path& file, const std::string& axis, cons
   add(into.axes);
   for (const auto& [name, preset] : into.presets) add(preset.axes);
   if (values.empty())
-    refuse(file, &node,
-           fmt::format("unknown key {} (known: axes, collection, hardware, layers, model, name, paper, "
-                       "preset, published, "
-                       "reading, require, scene, size, table, title, variant, and the names of axes; scene "
-                       "keys belong in the table [scene])",
-                       axis));
+    refuse(
+        file, &node,
+        fmt::format(
+            "unknown key {} (known: axes, collection, hardware, layers, model, name, paper, preset, published, reading, require, scene, size, table, title, variant, and the names of axes; scene keys belong in the table [scene])",
+            axis));
   if (!node.is_table()) refuse(file, &node, fmt::format("{} must be a table", axis));
   read_tables_of_axis(file, axis, *node.as_table(), into);
   const auto& tables = into.at[axis];
@@ -291,9 +289,9 @@ void read_tables_of_own_axis(const fs::path& file, const std::string& axis, cons
       if (!tables.contains(other))
         refuse(
             file, &inner,
-            fmt::format("the axis {0} has no value {1}, and its value {2} has no table [{0}.{2}]: is one of "
-                        "the names misspelled?",
-                        axis, value.str(), other));
+            fmt::format(
+                "the axis {0} has no value {1}, and its value {2} has no table [{0}.{2}]: is one of the names misspelled?",
+                axis, value.str(), other));
   }
 }
 
@@ -325,8 +323,7 @@ Experiment read_experiment(const fs::path& file) {
   const toml::table table = parse_toml(source.text, file.string());
   if (!table.contains("name") && !table.contains("axes"))
     throw InputError(fmt::format(
-        "{}: is not an experiment, because it has neither a name nor axes. If it is a scene, write "
-        "an experiment that takes it: [scene] file = \"{}\" (docs/extending.md)",
+        "{}: is not an experiment, because it has neither a name nor axes. If it is a scene, write an experiment that takes it: [scene] file = \"{}\" (docs/extending.md)",
         file.string(), file.filename().string()));
   Experiment result;
   result.file = file;

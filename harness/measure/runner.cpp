@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "harness/compare/windows.hpp"
+#include "harness/compare/checks.hpp"
 #include "harness/error.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"

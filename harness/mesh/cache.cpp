@@ -13,51 +13,25 @@ bool consistent(const Mesh& mesh) {
   return !mesh.hash.empty();  // the checksum of the file covers the hash and all that it was computed from
 }
 
+constexpr auto parts = [](const auto& store, auto& mesh) {
+  std::uint8_t periodic = mesh.periodic_uv;
+  if (!(store(mesh.name) && store(mesh.hash) && store(mesh.position) && store(mesh.uv) && store(mesh.weld) &&
+        store(mesh.triangle) && store(mesh.welded) && store(periodic) && store(mesh.length_per_uv) &&
+        store(mesh.notes)))
+    return false;
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(mesh)>>) mesh.periodic_uv = periodic != 0;
+  return true;
+};
+
 }  // namespace
 
 std::string encode(const Mesh& mesh) {
-  Writer to;
-  to.text(mesh.name);
-  to.text(mesh.hash);
-  to.list(mesh.position);
-  to.list(mesh.uv);
-  to.list(mesh.weld);
-  to.list(mesh.triangle);
-  to.value(mesh.welded);
-  to.value(std::uint8_t(mesh.periodic_uv));
-  to.value(mesh.length_per_uv);
-  to.value(std::uint64_t(mesh.notes.size()));
-  for (const std::string& note : mesh.notes) to.text(note);
-  return to.sealed(mesh_cache_title);
+  return packed(mesh_cache_title, parts, mesh);
 }
 
 std::optional<Mesh> decode(std::string_view bytes) {
-  const auto content = unsealed(bytes, mesh_cache_title);
-  if (!content) return {};
-  Reader from(*content);
-  Mesh mesh;
-  std::uint8_t periodic = 0;
-  std::uint64_t notes = 0;
-  if (!(from.text(mesh.name) && from.text(mesh.hash) && from.list(mesh.position) && from.list(mesh.uv) &&
-        from.list(mesh.weld) && from.list(mesh.triangle) && from.value(mesh.welded) && from.value(periodic) &&
-        from.value(mesh.length_per_uv) && from.value(notes)))
-    return {};
-  mesh.periodic_uv = periodic != 0;
-  for (std::string note; notes > 0; --notes) {
-    if (!from.text(note)) return {};
-    mesh.notes.push_back(note);
-  }
-  if (!from.done() || !consistent(mesh)) return {};
-  return mesh;
-}
-
-std::optional<Mesh> read_cached(const std::filesystem::path& file) {
-  const auto bytes = read_cache_file(file);
-  return bytes ? decode(*bytes) : std::nullopt;
-}
-
-bool write_cached(const std::filesystem::path& file, const Mesh& mesh) {
-  return write_cache_file(file, encode(mesh));
+  auto mesh = unpacked<Mesh>(bytes, mesh_cache_title, parts);
+  return mesh && consistent(*mesh) ? std::move(mesh) : std::nullopt;
 }
 
 }  // namespace pelage

@@ -1,5 +1,3 @@
-#include "harness/mesh/components.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/sides.hpp"
+#include "harness/mesh/steps.hpp"
 
 namespace pelage {
 namespace {

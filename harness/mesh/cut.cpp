@@ -1,5 +1,3 @@
-#include "harness/mesh/cut.hpp"
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <span>
 
 #include "harness/mesh/sides.hpp"
+#include "harness/mesh/unfold.hpp"
 
 namespace pelage {
 namespace {

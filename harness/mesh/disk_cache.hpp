@@ -1,6 +1,7 @@
 // A cache on disk. Each entry is a file with a checksum. The file name contains a hash of the data from which
 // the entry was computed.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pelage {
@@ -31,6 +33,10 @@ class Writer {
   void text(const std::string& item) {
     value(std::uint64_t(item.size()));
     out_ += item;
+  }
+  void list(const std::vector<std::string>& items) {
+    value(std::uint64_t(items.size()));
+    for (const std::string& item : items) text(item);
   }
   /// Returns the title, the written bytes and a checksum of both. The writer is empty afterwards.
   std::string sealed(std::string_view title);
@@ -60,6 +66,12 @@ class Reader {
     item.resize(count);
     return take(item.data(), count);
   }
+  bool list(std::vector<std::string>& items) {
+    std::uint64_t count = 0;
+    if (!value(count) || count > rest_.size() / sizeof count) return false;
+    items.resize(count);
+    return std::all_of(items.begin(), items.end(), [&](std::string& item) { return text(item); });
+  }
   bool done() const { return rest_.empty(); }
 
  private:
@@ -88,27 +100,30 @@ bool write_cache_file(const std::filesystem::path& file, std::string_view bytes)
 /// reading it by read_cache_file() count as use.
 void trim_cache(const std::filesystem::path& folder, std::uintmax_t most);
 
-/// Returns the value that `file` keeps. If the file is absent or damaged, returns make(), and keeps it in the
-/// file; the folder then keeps at most `most` bytes. parts(store, value) calls `store` for each member of the
-/// value, in the same order for reading and for writing, and returns false as soon as `store` returns false.
-template <class Value, class Parts, class Make>
-Value cached(const std::filesystem::path& file, std::string_view title, std::uintmax_t most,
-             const Parts& parts, const Make& make) {
-  const auto bytes = read_cache_file(file);
-  if (const auto content = bytes ? unsealed(*bytes, title) : std::nullopt) {
-    Reader from(*content);
-    Value value;
-    const auto load = [&]<class T>(T& part) {
-      if constexpr (std::is_same_v<T, std::string>)
-        return from.text(part);
-      else if constexpr (std::is_trivially_copyable_v<T>)
-        return from.value(part);
-      else
-        return from.list(part);
-    };
-    if (parts(load, value) && from.done()) return value;
-  }
-  Value value = make();
+/// Returns the value that packed() wrote with the same title and parts. Returns nothing if the bytes are
+/// incomplete or damaged, or do not begin with `title`. parts(store, value) calls `store` for each member of
+/// the value, in the same order for reading and for writing, and returns false as soon as `store` returns
+/// false.
+template <class Value, class Parts>
+std::optional<Value> unpacked(std::string_view bytes, std::string_view title, const Parts& parts) {
+  const auto content = unsealed(bytes, title);
+  if (!content) return {};
+  Reader from(*content);
+  Value value;
+  const auto load = [&]<class T>(T& part) {
+    if constexpr (std::is_same_v<T, std::string>)
+      return from.text(part);
+    else if constexpr (std::is_trivially_copyable_v<T>)
+      return from.value(part);
+    else
+      return from.list(part);
+  };
+  if (!parts(load, value) || !from.done()) return {};
+  return value;
+}
+
+template <class Value, class Parts>
+std::string packed(std::string_view title, const Parts& parts, Value& value) {
   Writer to;
   const auto save = [&]<class T>(const T& part) {
     if constexpr (std::is_same_v<T, std::string>)
@@ -120,7 +135,18 @@ Value cached(const std::filesystem::path& file, std::string_view title, std::uin
     return true;
   };
   parts(save, value);
-  if (write_cache_file(file, to.sealed(title))) trim_cache(file.parent_path(), most);
+  return to.sealed(title);
+}
+
+/// Returns the value that `file` keeps. If the file is absent or damaged, returns make(), and keeps it in the
+/// file; the folder then keeps at most `most` bytes. unpacked() describes `parts`.
+template <class Value, class Parts, class Make>
+Value cached(const std::filesystem::path& file, std::string_view title, std::uintmax_t most,
+             const Parts& parts, const Make& make) {
+  if (const auto bytes = read_cache_file(file))
+    if (auto value = unpacked<Value>(*bytes, title, parts)) return std::move(*value);
+  Value value = make();
+  if (write_cache_file(file, packed(title, parts, value))) trim_cache(file.parent_path(), most);
   return value;
 }
 

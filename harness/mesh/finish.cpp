@@ -206,8 +206,7 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
   mesh.notes = surface.notes;
   if (fitted && surface.keep_uv)
     mesh.notes.push_back(
-        "the file's UV map leaves the unit square: it was rotated and scaled into the square, so textures "
-        "that were made for this map do not fit any more");
+        "the file's UV map leaves the unit square: it was rotated and scaled into the square, so textures that were made for this map do not fit any more");
   mesh.welded = std::uint32_t(point.size());
   mesh.length_per_uv = length_per_uv(point, surface, uv);
 

@@ -1,5 +1,3 @@
-#include "harness/mesh/frames.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "harness/isolated/isolated.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/mesh/finish.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/mesh/soup.hpp"
 
 namespace pelage {
@@ -37,32 +36,29 @@ struct Points {
 };
 
 constexpr std::string_view title = "pelage mesh frame\n";
+constexpr auto parts = [](const auto& store, auto& points) {
+  return store(points.position) && store(points.used) && store(points.faces);
+};
 
 Points read_points(const fs::path& file) {
   const auto read = [&](const Say&) {
     const Soup soup = read_soup(file, false);
-    std::vector<std::uint8_t> used(soup.point.size(), 0);
+    Points points{soup.point, std::vector<std::uint8_t>(soup.point.size(), 0), {}};
     Hash hash;
     for (const auto& polygon : soup.polygon) {
       hash.values(polygon);
-      for (const std::uint32_t i : polygon) used[i] = 1;
+      for (const std::uint32_t i : polygon) points.used[i] = 1;
     }
-    Writer to;
-    to.list(soup.point);
-    to.list(used);
-    to.text(hash.hex());
-    return to.sealed(title);
+    points.faces = hash.hex();
+    return packed(title, parts, points);
   };
   std::error_code none;
   const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;
   const Limits limits{(std::uint64_t(4) << 30) + 400 * bytes, std::chrono::seconds(60 + 10 * (bytes >> 20))};
-  const std::string sealed = isolated(file.string(), limits, read, {});
-  const auto content = unsealed(sealed, title);
-  Points points;
-  Reader from(content.value_or(""));
-  if (!from.list(points.position) || !from.list(points.used) || !from.text(points.faces))
+  auto points = unpacked<Points>(isolated(file.string(), limits, read, {}), title, parts);
+  if (!points)
     throw std::runtime_error(fmt::format("{}: the reading process returned damaged data", file.string()));
-  return points;
+  return std::move(*points);
 }
 
 /// An axis-aligned box.
@@ -144,11 +140,9 @@ std::vector<Source> sources_of(const Mesh& mesh, const Points& first, const Plac
       found = true;
     });
     if (!found)
-      throw InputError(
-          fmt::format("mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its "
-                      "frames cannot be matched; give a mesh whose preparation changes no points (`pelage "
-                      "mesh` lists the changes)",
-                      file.string()));
+      throw InputError(fmt::format(
+          "mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its frames cannot be matched; give a mesh whose preparation changes no points (`pelage mesh` lists the changes)",
+          file.string()));
     std::erase(source.others, source.nearest);
   }
   return sources;
@@ -160,10 +154,9 @@ fs::path frame_file(const fs::path& first, int frame) {
   const std::string stem = first.stem().string();
   const std::size_t last = stem.find_last_of("0123456789");
   if (last == std::string::npos)
-    throw InputError(
-        fmt::format("mesh.frames: {}: the name of the first frame's file needs a number that counts up, such "
-                    "as walk-0000.obj",
-                    first.string()));
+    throw InputError(fmt::format(
+        "mesh.frames: {}: the name of the first frame's file needs a number that counts up, such as walk-0000.obj",
+        first.string()));
   const std::size_t before = stem.find_last_not_of("0123456789", last);
   const std::size_t begin = std::max(before == std::string::npos ? 0 : before + 1, last > 8 ? last - 8 : 0);
   const std::string digits = stem.substr(begin, last + 1 - begin);
@@ -176,8 +169,7 @@ std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs:
                                                      glm::dvec3 rotation) {
   if (std::uint64_t(count) * mesh.welded * sizeof(glm::vec3) > most_bytes)
     throw InputError(
-        fmt::format("mesh.frames: {} frames of {} points; all frames together may have at most {} "
-                    "points",
+        fmt::format("mesh.frames: {} frames of {} points; all frames together may have at most {} points",
                     count, mesh.welded, most_bytes / sizeof(glm::vec3)));
   const Points rest = read_points(first);
   const Placement place = placement_of(mesh, rest, rotation);
@@ -187,18 +179,16 @@ std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs:
     const fs::path file = frame_file(first, frame);
     const Points points = frame == 0 ? rest : read_points(file);
     if (points.position.size() != rest.position.size() || points.faces != rest.faces)
-      throw InputError(
-          fmt::format("mesh.frames: {}: the points or faces are not those of {}; all frames need the same "
-                      "points and faces in the same order",
-                      file.string(), first.string()));
+      throw InputError(fmt::format(
+          "mesh.frames: {}: the points or faces are not those of {}; all frames need the same points and faces in the same order",
+          file.string(), first.string()));
     std::vector<glm::vec3>& position = frames[std::size_t(frame)];
     for (const Source& source : sources) {
       const glm::dvec3 here = place(points.position[source.nearest]);
       for (const std::uint32_t other : source.others)
         if (const glm::dvec3 there = place(points.position[other]); glm::distance(here, there) > together)
           throw InputError(fmt::format(
-              "mesh.frames: {}: the points {} and {} coincide in the first frame and part here; "
-              "give them different positions in the first frame",
+              "mesh.frames: {}: the points {} and {} coincide in the first frame and part here; give them different positions in the first frame",
               file.string(), std::min(source.nearest, other) + 1, std::max(source.nearest, other) + 1));
       position.emplace_back(here);
     }

@@ -12,15 +12,13 @@
 #include "harness/hash.hpp"
 #include "harness/isolated/isolated.hpp"
 #include "harness/mesh/cache.hpp"
-#include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
-#include "harness/mesh/procedural.hpp"
-#include "harness/mesh/recut.hpp"
 #include "harness/mesh/soup.hpp"
 #include "harness/mesh/steps.hpp"
 #include "harness/mesh/unfold.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {
@@ -73,8 +71,7 @@ std::optional<glm::ivec2> finer_torus(const std::string& name) {
 
 [[noreturn]] void refuse_uv(const Source& source, const std::string& what) {
   throw InputError(
-      fmt::format("{}: {}, so no UV map can be kept; leave out --keep-uv, or give fur.uv = "
-                  "\"computed\"",
+      fmt::format("{}: {}, so no UV map can be kept; leave out --keep-uv, or give fur.uv = \"computed\"",
                   source.label, what));
 }
 
@@ -190,10 +187,9 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
   tell();
   if (!surface.uv.empty()) {
     if (model.faces && *model.faces != surface.triangle.size())
-      throw InputError(
-          fmt::format("{}: has {} faces and a UV map of its own; the face count cannot change "
-                      "while that map is kept",
-                      source.label, surface.triangle.size()));
+      throw InputError(fmt::format(
+          "{}: has {} faces and a UV map of its own; the face count cannot change while that map is kept",
+          source.label, surface.triangle.size()));
   } else if (source.kind == "file") {
     surface = mapped_file(std::move(surface), model, source.label, stages);
   } else {
@@ -301,9 +297,8 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   const Say say = options.progress ? options.progress : [](const std::string&) {};
   const std::filesystem::path cached =
       cache_folder() / "meshes" / fmt::format("{}-{}.mesh", model.name, key_of(model, source, options));
-  if (options.cache) {
-    if (auto mesh = read_cached(cached)) return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
-  }
+  if (const auto kept = options.cache ? read_cache_file(cached) : std::nullopt)
+    if (auto mesh = decode(*kept)) return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
   say(fmt::format("{}: preparing the mesh; this is done once", source.label));
   const std::string bytes = isolated(
       source.label, limits_for(model, source),
@@ -311,7 +306,7 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   auto mesh = decode(bytes);
   if (!mesh)
     throw std::runtime_error(fmt::format("{}: the preparing process returned a damaged mesh", model.name));
-  if (options.cache && !write_cached(cached, *mesh))
+  if (options.cache && !write_cache_file(cached, bytes))
     say(fmt::format("{} could not be written; the mesh is not cached", cached.string()));
   return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
 }

@@ -2,6 +2,7 @@
 // not include CGAL.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -30,8 +31,8 @@ struct Mesh {
   /// Descriptions of the steps of the preparation, one line per step: repairs, remeshing, method of the UV
   /// map.
   std::vector<std::string> notes;
-  /// Positions of the surface points in each frame of a mesh that moves and deforms (frames.hpp), R. Empty:
-  /// the mesh does not deform. If there are frames, `hash` also depends on them.
+  /// Positions of the surface points in each frame of a mesh that moves and deforms (read_mesh_frames()), R.
+  /// Empty: the mesh does not deform. If there are frames, `hash` also depends on them.
   std::vector<std::vector<glm::vec3>> frames;
 };
 
@@ -39,7 +40,7 @@ struct MeshOptions {
   std::optional<std::uint32_t> faces;  ///< exact face count; empty: the count of the model or the file
   bool keep_uv = false;                ///< true: use the file's own UV map (OBJ, PLY, 3DS, glTF)
   /// True: if the computed UV map enlarges or shrinks a part of the surface by more than a factor of 1.6 in
-  /// area, this part gets its own chart (recut.hpp).
+  /// area, this part gets its own chart (recut()).
   bool even_uv = false;
   /// Additional rotation of the prepared model about the fixed axes x, then y, then z, degrees.
   glm::vec3 rotate{0};
@@ -61,5 +62,28 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
 /// Throws InputError if `name_or_file` is neither the name of a model or torus nor an existing file, or if
 /// the numbers in the name of a torus are out of range. Does not read the file.
 void require_model(const std::string& name_or_file);
+
+// The frames of a mesh that moves and deforms: one mesh file per frame.
+
+/// Returns the file of frame `frame`, where `first` is the file of frame 0. The last number in the name of
+/// `first` counts up, and keeps its leading zeros: "walk-0009.obj" is followed by "walk-0010.obj". Throws
+/// InputError if the name contains no number.
+std::filesystem::path frame_file(const std::filesystem::path& first, int frame);
+
+/// Returns the positions of the mesh's surface points (Mesh::weld) in `count` frames, in R. `mesh` is the
+/// prepared mesh of the file `first`, rotated by `rotation` (degrees about x, then y, then z). All frames get
+/// the rotation, the translation and the scale that the preparation gave to the first frame. Throws
+/// InputError if a file is missing or not a mesh, if it has other faces than the first file, if the
+/// preparation of the first file moved or added points, or if points that coincide in the first frame part in
+/// a later one.
+std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const std::filesystem::path& first,
+                                                     int count, glm::dvec3 rotation);
+
+// Writes a prepared mesh to a file for other programs.
+
+/// Writes binary little-endian PLY. A vertex has the floats x y z s t. The UV coordinates have the names s
+/// and t, because Blender and MeshLab read UV coordinates under these names. A face has vertex_indices. The
+/// file is written under a temporary name and renamed. Throws InputError if the file cannot be written.
+void write_ply(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace pelage

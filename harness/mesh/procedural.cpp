@@ -1,11 +1,11 @@
-#include "harness/mesh/procedural.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <utility>
+
+#include "harness/mesh/steps.hpp"
 
 namespace pelage {
 namespace {

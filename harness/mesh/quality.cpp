@@ -136,16 +136,14 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
     if (twice < 0) turned -= twice, ++faces;
   }
   if (faces > 0)
-    warnings.push_back(
-        fmt::format("UV map: {} {} flipped (clockwise in UV; {:.4f}% of the area of the map); textures "
-                    "appear mirrored on flipped faces",
-                    faces, faces == 1 ? "face is" : "faces are", area > 0 ? 100 * turned / area : 0));
+    warnings.push_back(fmt::format(
+        "UV map: {} {} flipped (clockwise in UV; {:.4f}% of the area of the map); textures appear mirrored on flipped faces",
+        faces, faces == 1 ? "face is" : "faces are", area > 0 ? 100 * turned / area : 0));
   const Covered covered = covered_by(mesh, 2048);
   if (covered.more > 0 && double(covered.more) >= 1e-4 * double(covered.once))
-    warnings.push_back(
-        fmt::format("UV map: {:.2f}% of the map overlaps itself; where it overlaps, two points of the "
-                    "surface read the same texel",
-                    100 * double(covered.more) / double(covered.once)));
+    warnings.push_back(fmt::format(
+        "UV map: {:.2f}% of the map overlaps itself; where it overlaps, two points of the surface read the same texel",
+        100 * double(covered.more) / double(covered.once)));
   return warnings;
 }
 

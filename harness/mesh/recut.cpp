@@ -1,5 +1,3 @@
-#include "harness/mesh/recut.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +9,8 @@
 #include <optional>
 
 #include "harness/error.hpp"
-#include "harness/mesh/flatten.hpp"
 #include "harness/mesh/sides.hpp"
+#include "harness/mesh/unfold.hpp"
 #include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {

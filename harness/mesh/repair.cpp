@@ -17,7 +17,6 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
-#include "harness/mesh/components.hpp"
 #include "harness/mesh/steps.hpp"
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -96,8 +95,7 @@ void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
     if (!open[n] || area[n] >= least * largest) kept.push_back(n);
   if (kept.size() > most_components)
     throw InputError(fmt::format(
-        "{}: {} components; at most {} components can have their own chart of the UV map; keep only "
-        "the largest (mesh.components, --components largest), or join them",
+        "{}: {} components; at most {} components can have their own chart of the UV map; keep only the largest (mesh.components, --components largest), or join them",
         name, kept.size(), most_components));
   if (kept.size() < pieces) {
     PMP::keep_connected_components(mesh, kept, piece);

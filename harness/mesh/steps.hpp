@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "harness/mesh/soup.hpp"
 #include "harness/mesh/surface.hpp"
@@ -84,5 +85,42 @@ Surface wrap(const Surface& surface);
 /// InputError if the count cannot be reached.
 Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name,
                    const std::function<void(double)>& part = {});
+
+// Procedural shapes.
+
+/// A torus around the y axis with major radius 1. It has `around` x `across` quads of two triangles each. The
+/// UV map is periodic: u goes around the axis, v around the tube, both in [0,1].
+Surface make_torus(int around, int across, double minor_radius);
+
+/// The unit square in the plane y = 0 with the normal +y. It has `quads` x `quads` quads of four triangles
+/// that meet in the quad's centre. UV is (x, -z).
+Surface make_square(int quads);
+
+/// A pear around the y axis: a closed implicit surface of revolution of height 1.9, without UV map. Each of
+/// the 20 triangles of an icosahedron is split into four triangles `halvings` times; after each split the
+/// points are projected onto the surface. The result is deterministic. CGAL's mesher for implicit surfaces is
+/// not used, because its result depends on memory addresses.
+Surface make_pear(int halvings);
+
+// Connected components of a surface. Each component has its own chart in the UV map.
+
+/// Returns the component number of each triangle. Triangles that share a point belong to the same component.
+/// Components are numbered from 0 in the order of their first triangles.
+std::vector<std::uint32_t> components(const Surface& surface);
+
+/// Orients the faces of every closed component outwards, and adds a message to Surface::notes if the
+/// orientation of a face changes.
+void turn_outwards(Surface& surface);
+
+/// Returns one surface per component. These surfaces have no messages in Surface::notes and no UV map. The
+/// order of triangles and points is preserved.
+std::vector<Surface> split(const Surface& surface);
+
+/// Packs the UV maps of the components `parts` side by side into the unit square, without overlap. Returns
+/// `surface` with the packed UV map. `parts` is in the order in which split() returns the components. All
+/// charts have the same ratio of UV area to surface area. For up to 163 charts, the margin around a chart is
+/// 2/256 of the square's side, which is two texels of a wetness mask of 256 x 256 texels. For more charts,
+/// the margin is smaller. Throws InputError if a component has no UV map.
+Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name);
 
 }  // namespace pelage

@@ -1,13 +1,66 @@
-// Computes UV maps that consist of one chart.
+// Cuts a surface open, flattens it and gives its UV map.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
-#include "harness/mesh/cut.hpp"
+#include "harness/mesh/surface.hpp"
 
 namespace pelage {
+
+/// A surface that is cut open into one topological disk. A surface point on the cut becomes several
+/// vertices of the disk.
+struct Disk {
+  std::vector<std::uint32_t> point;  ///< per vertex of the disk, the index of its surface point
+  /// For each triangle of the surface, the indices of the three vertices of the disk at its corners.
+  std::vector<Surface::Triangle> triangle;
+};
+
+/// Positions that determine the cuts. The computation of the cut graph starts at the face nearest to `root`.
+/// Then, for one point of `tips` after another, the shortest path from the existing cuts to this point
+/// becomes a further cut.
+struct CutPlan {
+  glm::dvec3 root{0};
+  std::vector<glm::dvec3> tips;
+};
+
+/// Cuts a connected manifold of any genus, closed or with borders. A tree-cotree decomposition (Eppstein
+/// 2003) gives a cut graph whose complement is a disk. Shortest paths from the cut graph to the points of
+/// plan.tips become further cuts, as in the method Seamster (Sheffer and Hart 2002). Cuts to the ends of
+/// limbs reduce the distortion of the limbs in the UV map.
+Disk cut_open(const Surface& surface, const CutPlan& plan);
+
+/// The result of farthest_from_cut(): a surface point, and its distance from the cuts.
+struct Tip {
+  glm::dvec3 point{0};
+  double distance = 0;
+};
+/// Returns the surface point that is farthest from the cuts of `plan`, from plan.tips and from the points of
+/// `avoid`. The distance is the length of the shortest path along the edges.
+Tip farthest_from_cut(const Surface& surface, const CutPlan& plan, const std::vector<glm::dvec3>& avoid);
+
+// Flattens a topological disk of triangles in a time that grows linearly with the number of triangles.
+
+struct FlatDisk {
+  /// UV of each vertex of the cut-open disk. A surface point on a cut has several vertices.
+  std::vector<glm::dvec2> uv;
+  std::size_t flipped = 0;  ///< number of flipped faces
+  bool rigid = false;  ///< true: the map is as rigid as possible; false: it is the harmonic map onto a circle
+};
+
+constexpr int most_rigid = 10;  ///< default number of iterations of flatten()
+
+/// Flattens the disk as rigidly as possible (Liu et al. 2008). The initial map is the harmonic map onto a
+/// circle, which has no overlaps and is also the result if `iterations` is 0 or if the iterations fail. Each
+/// iteration reduces the distortion, but overlaps and flipped faces may appear. Time and memory grow linearly
+/// with the number of triangles. `part` receives the completed fraction, 0 to 1. Throws InputError if no
+/// usable map is found.
+FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& name,
+                 const std::function<void(double)>& part, int iterations = most_rigid);
+
+// Computes UV maps that consist of one chart.
 
 /// Quality of a UV map of one chart.
 struct MapQuality {

@@ -70,8 +70,7 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
     drop_lowest_face(mesh, up);
     mesh.collect_garbage();
     notes.push_back(
-        "removed the lowest face, because the mesh had one face more than requested (a closed mesh has an "
-        "even number of faces)");
+        "removed the lowest face, because the mesh had one face more than requested (a closed mesh has an even number of faces)");
   }
   if (mesh.number_of_faces() != faces)
     throw InputError(fmt::format(

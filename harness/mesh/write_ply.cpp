@@ -1,5 +1,3 @@
-#include "harness/mesh/write_ply.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include <fstream>
 
 #include "harness/error.hpp"
+#include "harness/mesh/mesh.hpp"
 
 namespace pelage {
 
@@ -16,10 +15,8 @@ static_assert(std::endian::native == std::endian::little, "write_ply requires a 
 
 void write_ply(const std::filesystem::path& file, const Mesh& mesh) {
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment {} {}\nelement vertex {}\nproperty float x\nproperty "
-      "float y\n"
-      "property float z\nproperty float s\nproperty float t\nelement face {}\nproperty list uchar int "
-      "vertex_indices\n"
+      "ply\nformat binary_little_endian 1.0\ncomment {} {}\nelement vertex {}\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float s\nproperty float t\nelement face {}\nproperty list uchar int vertex_indices\n"
       "end_header\n",
       mesh.name, mesh.hash, mesh.position.size(), mesh.triangle.size());
   const auto put = [&](const void* data, std::size_t size) {

@@ -105,8 +105,7 @@ void add_plot(Body& body, const Report& report, const ReportPlot& plot, const st
   // The caption omits the part of the plot's title after ": ". The page already
   // shows this part above the plot, as the subtitle of the table.
   body.add(fmt::format(
-      "<figure class=\"plot\">\n<figcaption>{}</figcaption>\n<svg role=\"img\" "
-      "aria-label=\"{}\" {}\n<p class=\"buttons\">",
+      "<figure class=\"plot\">\n<figcaption>{}</figcaption>\n<svg role=\"img\" aria-label=\"{}\" {}\n<p class=\"buttons\">",
       html_text(plot.title.substr(0, plot.title.find(": "))), html_text(plot.title), svg.substr(start + 5)));
   body.save_button(table, "CSV of the plot");
   body.add("</p>\n</figure>\n");
@@ -133,14 +132,12 @@ void add_claims(Body& body, const Report& report) {
   body.heading("Claims of the papers", 2);
   body.remark("The claims are in our words. Each verdict is computed from the rows of this page.");
   body.add(
-      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th>"
-      "<th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
+      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th><th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
   for (const claims::Judged& one : report.claims) {
     std::string details = one.reason;
     for (const std::string& note : one.notes) details += (details.empty() ? "" : "; ") + note;
     body.add(fmt::format(
-        "<tr><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}</td>"
-        "<td data-sort=\"{3}\">{4}</td><td>{5}</td><td class=\"prose\">{6}, {7}</td></tr>\n",
+        "<tr><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}</td><td data-sort=\"{3}\">{4}</td><td>{5}</td><td class=\"prose\">{6}, {7}</td></tr>\n",
         to_text(one.verdict), html_text(one.claim.statement),
         details.empty() ? "" : fmt::format("<br><span class=\"soft\">{}</span>", html_text(details)),
         one.value ? fmt::format("{:.6g}", *one.value) : "",
@@ -181,8 +178,7 @@ void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts
   if (parts.pictures.empty()) return;
   body.heading("Pictures of the timed frames", 1);
   body.remark(fmt::format(
-      "{} pictures, scaled down to a width of at most {} pixels and compressed (WebP). Each row contains the "
-      "hash of its picture in full size.",
+      "{} pictures, scaled down to a width of at most {} pixels and compressed (WebP). Each row contains the hash of its picture in full size.",
       parts.pictures.size(),
       std::max_element(parts.pictures.begin(), parts.pictures.end(), [](auto& a, auto& b) {
         return a.width < b.width;
@@ -193,8 +189,7 @@ void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts
     const std::string title = fmt::format("{}: {}{}", cell.experiment, name_of(cell),
                                           cell.variant.empty() ? "" : ", " + cell.variant);
     body.add(fmt::format(
-        "<figure data-part=\"{}\" data-picture=\"{}\"><img src=\"data:image/webp;base64,{}\" alt=\"{}\" "
-        "width=\"{}\" height=\"{}\" loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
+        "<figure data-part=\"{}\" data-picture=\"{}\"><img src=\"data:image/webp;base64,{}\" alt=\"{}\" width=\"{}\" height=\"{}\" loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
         picture.report, picture.cell, base64(picture.webp), html_text(title), picture.width, picture.height,
         html_text(title)));
   }
@@ -220,11 +215,8 @@ void add_rows(Body& body, const std::vector<Report>& reports) {
   body.heading("All rows", 1);
   body.remark("A click on a row shows its provenance, checks and raw samples.");
   body.add(
-      "<p class=\"scripted\"><label>Filter <input id=\"filter\" type=\"search\" autocomplete=\"off\" "
-      "placeholder=\"part of a name\"></label> <span id=\"shown\" class=\"soft\" "
-      "role=\"status\"></span></p>\n"
-      "<div class=\"wide tall\"><table id=\"rows\">\n<thead><tr><th>experiment</th><th>case</th>"
-      "<th>variant</th><th>status</th><th>frame, ms</th><th>samples</th><th>time (UTC)</th></tr></thead>\n"
+      "<p class=\"scripted\"><label>Filter <input id=\"filter\" type=\"search\" autocomplete=\"off\" placeholder=\"part of a name\"></label> <span id=\"shown\" class=\"soft\" role=\"status\"></span></p>\n"
+      "<div class=\"wide tall\"><table id=\"rows\">\n<thead><tr><th>experiment</th><th>case</th><th>variant</th><th>status</th><th>frame, ms</th><th>samples</th><th>time (UTC)</th></tr></thead>\n"
       "<tbody>\n");
   std::size_t index = 0;
   for (const Report& report : reports)
@@ -269,8 +261,7 @@ std::string summary_of(const std::vector<Report>& reports) {
                 "{} cases. All of them are ok: their results agreed with the double-precision reference.",
                 cells)
           : fmt::format(
-                "{} cases. {} of them are ok: their results agreed with the double-precision reference. "
-                "{}",
+                "{} cases. {} of them are ok: their results agreed with the double-precision reference. {}",
                 cells, ok,
                 cells - ok == 1 ? "The other case has no time."
                                 : fmt::format("The other {} cases have no times.", cells - ok));
@@ -300,8 +291,7 @@ std::string body_of(const std::vector<Report>& reports, const PageParts& parts) 
     notes += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));
   return fmt::format(
       "<header>\n<h1>pelage: results</h1>\n<p class=\"lead\">{}</p>\n{}</header>\n"
-      "<nav id=\"contents\" aria-label=\"Contents\"><details "
-      "open><summary>Contents</summary>\n{}</details></nav>\n"
+      "<nav id=\"contents\" aria-label=\"Contents\"><details open><summary>Contents</summary>\n{}</details></nav>\n"
       "<main>\n{}</main>\n",
       html_text(summary_of(reports)), notes, contents_of(body.entries()), body.html());
 }

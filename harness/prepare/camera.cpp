@@ -1,11 +1,10 @@
-#include "harness/prepare/camera.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "harness/error.hpp"
+#include "harness/prepare/prepare.hpp"
 
 namespace pelage {
 namespace {

@@ -10,7 +10,6 @@
 #include "harness/error.hpp"
 #include "harness/prepare/picture_map.hpp"
 #include "harness/prepare/random.hpp"
-#include "harness/prepare/surface_map.hpp"
 
 namespace pelage {
 namespace {

@@ -10,9 +10,8 @@
 #include "harness/error.hpp"
 #include "harness/mesh/search.hpp"
 #include "harness/picture/image_io.hpp"
-#include "harness/picture/text_mask.hpp"
+#include "harness/picture/image_module.hpp"
 #include "harness/prepare/random.hpp"
-#include "harness/prepare/seams.hpp"
 #include "harness/prepare/water.hpp"
 
 namespace pelage {

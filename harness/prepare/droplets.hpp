@@ -1,5 +1,8 @@
-// The droplets of the wetness mask. Algorithm 1 (S 3.3, W 3.1) draws them into the mask.
+// The droplets of the wetness mask. Algorithm 1 (S 3.3, W 3.1) draws them into the mask. Droplets are
+// repeated on the other side of UV seams (docs/shells.md, section 2).
 #pragma once
+#include <vector>
+
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"
 
@@ -13,9 +16,17 @@ namespace pelage {
 /// distance between two centres is `spacing` times the radius of the later droplet. In space, their least
 /// distance is this UV distance times the smaller component of mesh.length_per_uv. With wetness.unit
 /// "surface", radii in UV are those in R, divided by the local length per unit of UV. With
-/// wetness.seams "joined", each droplet is followed by its repetitions across UV seams (seams.hpp). Droplets
+/// wetness.seams "joined", each droplet is followed by its repetitions across UV seams. Droplets
 /// that never arrive (water.hpp) are left out.
 std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, const Skin& skin,
                                    const WetnessScene& wetness);
+
+/// Returns the droplets in their order, each followed by its repetitions. A droplet whose disc reaches an
+/// edge on a UV seam is repeated on the other side of the edge: the similarity that maps the edge's UV on one
+/// side to its UV on the other side gives the centre and the radius of the repetition. Surface point, wetness
+/// and number are those of the droplet. The reach is at most 1.1 times the radius on the surface. Repetitions
+/// of repetitions are included, for places at which several seams meet. A repetition that nearly equals the
+/// droplet or an earlier repetition is left out.
+std::vector<Droplet> across_seams(const Mesh& mesh, const std::vector<Droplet>& droplets);
 
 }  // namespace pelage

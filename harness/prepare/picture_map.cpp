@@ -25,10 +25,9 @@ double between(double a, double b, double t) {
 PictureMap::PictureMap(const std::filesystem::path& path) : picture_(read_picture(path)) {
   for (const glm::vec4& p : picture_.pixel)
     if (!(std::isfinite(p.x + p.y + p.z) && p.x >= 0 && p.y >= 0 && p.z >= 0))
-      throw InputError(
-          fmt::format("{}: a pixel has a colour value that is negative, infinite or not a number; colour "
-                      "values must be finite and at least 0",
-                      path.string()));
+      throw InputError(fmt::format(
+          "{}: a pixel has a colour value that is negative, infinite or not a number; colour values must be finite and at least 0",
+          path.string()));
 }
 
 glm::vec4 PictureMap::at(glm::dvec2 uv) const {

@@ -5,14 +5,11 @@
 #include <future>
 
 #include "harness/error.hpp"
-#include "harness/prepare/camera.hpp"
+#include "harness/prepare/coat.hpp"
 #include "harness/prepare/droplets.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/prepare/skin.hpp"
 #include "harness/prepare/strands.hpp"
-#include "harness/prepare/style.hpp"
-#include "harness/prepare/tangents.hpp"
-#include "harness/prepare/texture_cache.hpp"
 
 namespace pelage {
 namespace {
@@ -64,9 +61,7 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   if (has_chains(scene.dynamics))
     throw InputError(
-        "dynamics.topology: \"chains\" is the motion of single strands; use a pipeline that draws strands, "
-        "or "
-        "give another topology");
+        "dynamics.topology: \"chains\" is the motion of single strands; use a pipeline that draws strands, or give another topology");
   if (!mesh->frames.empty())
     throw InputError("mesh.frames: only pipelines that draw strands follow the frames of a mesh; give 1");
   auto input = std::make_shared<FrameInput>();

@@ -5,7 +5,7 @@
 #include "harness/distance/field.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
-#include "harness/mesh/frames.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {

@@ -1,10 +1,10 @@
-#include "harness/prepare/seams.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
 #include <utility>
+
+#include "harness/prepare/droplets.hpp"
 
 namespace pelage {
 namespace {

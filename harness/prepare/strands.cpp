@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "harness/prepare/random.hpp"
-#include "harness/prepare/style.hpp"
 
 namespace pelage {
 namespace {

@@ -1,9 +1,8 @@
-#include "harness/prepare/style.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "harness/prepare/picture_map.hpp"
+#include "harness/prepare/strands.hpp"
 
 namespace pelage {
 namespace {

@@ -1,8 +1,8 @@
-#include "harness/prepare/surface_map.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
+
+#include "harness/prepare/coat.hpp"
 
 namespace pelage {
 namespace {

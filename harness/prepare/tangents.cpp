@@ -1,10 +1,9 @@
-#include "harness/prepare/tangents.hpp"
-
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "harness/prepare/random.hpp"
+#include "harness/prepare/strands.hpp"
 
 namespace pelage {
 namespace {

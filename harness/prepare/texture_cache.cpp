@@ -1,12 +1,9 @@
-#include "harness/prepare/texture_cache.hpp"
-
 #include <fmt/format.h>
 
 #include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/fur_texture.hpp"
-#include "harness/prepare/surface_map.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {

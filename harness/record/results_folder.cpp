@@ -31,16 +31,14 @@ class Known {
     if (const auto same = measurements_.find(measurement_of(row)); same != measurements_.end()) {
       const FoundRow& first = rows[same->second];
       if (to_line(first.row) == to_line(row)) return &first;
-      throw InputError(
-          fmt::format("{} and {}: each contains a row of case {} from the same run, but the two rows differ. "
-                      "One of the files was changed; give only the original",
-                      first.journal.string(), journal.string(), row.case_name));
+      throw InputError(fmt::format(
+          "{} and {}: each contains a row of case {} from the same run, but the two rows differ. One of the files was changed; give only the original",
+          first.journal.string(), journal.string(), row.case_name));
     }
     if (const auto same = times_.find(frame_ms(row)); same != times_.end()) {
       const FoundRow& first = rows[same->second];
       throw InputError(fmt::format(
-          "{} and {}: the rows of the cases {} and {} claim to be different measurements, but their {} frame "
-          "times are equal. One of these rows is a changed copy; give only the original",
+          "{} and {}: the rows of the cases {} and {} claim to be different measurements, but their {} frame times are equal. One of these rows is a changed copy; give only the original",
           first.journal.string(), journal.string(), first.row.case_name, row.case_name,
           frame_ms(row).size()));
     }

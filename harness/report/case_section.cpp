@@ -69,8 +69,7 @@ Section of_variants(std::vector<Cell> cells) {
   for (const std::string& key : varying_keys(section.table, cells))
     if (key != "variant") section.table.layout.groups.push_back(key);
   section.table.remarks = {
-      "times: frame time of the variant divided by the frame time of the fastest variant with a correct "
-      "picture (geometric mean over the cases)."};
+      "times: frame time of the variant divided by the frame time of the fastest variant with a correct picture (geometric mean over the cases)."};
   return section;
 }
 
@@ -126,20 +125,16 @@ std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
     remarks.emplace_back("Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");
   if (shows("fps"))
     remarks.emplace_back(
-        "Frames per second: 1000 divided by the median wall time of a warm frame in ms, and its 95% "
-        "interval.");
+        "Frames per second: 1000 divided by the median wall time of a warm frame in ms, and its 95% interval.");
   if (shows("frame_over_baseline"))
     remarks.emplace_back(
-        "frame_over_baseline: time of the case divided by the time of the baseline scene in the same rounds, "
-        "and its 95% interval. Above 1, the case is slower.");
+        "frame_over_baseline: time of the case divided by the time of the control scene in the same rounds, and its 95% interval. Above 1, the case is slower.");
   if (shows("frame_over_half") || shows("frame_over_quarter"))
     remarks.emplace_back(
-        "frame_over_half, frame_over_quarter: time of the frame divided by the time of a frame with half or "
-        "a quarter of the layers in the same rounds, and its 95% interval.");
+        "frame_over_half, frame_over_quarter: time of the frame divided by the time of a frame with half or a quarter of the layers in the same rounds, and its 95% interval.");
   if (std::any_of(values.begin(), values.end(), [](const auto& name) { return name.ends_with("_ratio"); }))
     remarks.emplace_back(
-        "NAME_ratio: time of the baseline NAME divided by our time in the same rounds, and its 95% interval. "
-        "Above 1, ours is faster.");
+        "NAME_ratio: time of the baseline NAME divided by our time in the same rounds, and its 95% interval. Above 1, ours is faster.");
   return remarks;
 }
 

@@ -130,8 +130,7 @@ void refuse_ambiguous(const std::vector<Cell>& cells, const CompareBy& by) {
     const auto [place, added] = known.try_emplace({common_name(cell, by), value_of(cell, by)}, &cell);
     if (added) continue;
     throw InputError(fmt::format(
-        "{}: one set of results contains two measurements of this case with different inputs ({}); compare "
-        "each measurement with the other set separately",
+        "{}: one set of results contains two measurements of this case with different inputs ({}); compare each measurement with the other set separately",
         place->first.first, fmt::join(differing_parts(place->second->identity, cell.identity), ", ")));
   }
 }
@@ -163,8 +162,7 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
   if (pairs.empty())
     throw InputError(
         by.text.empty()
-            ? "A and B have no case in common on the same device; --by device compares results of "
-              "different devices"
+            ? "A and B have no case in common on the same device; --by device compares results of different devices"
             : fmt::format("no two cases differ only in {}", by.text));
   decide_pairs(pairs, differences, limits);
   return pairs;

@@ -2,7 +2,6 @@
 // table.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "harness/measure/provenance.hpp"
@@ -66,8 +65,7 @@ Section paper_section(std::vector<Cell> cells, const std::string& stem, const So
   const Cell& any = cells.front();
   const Experiment experiment = shipped_experiment(any.experiment).value_or(Experiment{});
   std::vector<std::string> remarks{
-      "Frames per second: 1000 divided by the median wall time of a warm frame in ms. The wall time lasts "
-      "from the frame's first enqueued kernel to the end of its last kernel.",
+      "Frames per second: 1000 divided by the median wall time of a warm frame in ms. The wall time lasts from the frame's first enqueued kernel to the end of its last kernel.",
       "Ratio: ours divided by the paper's."};
   if (!experiment.hardware.empty())
     remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",

@@ -1,5 +1,7 @@
-// Describes which columns of a table a plot shows, and how. plots/plot.py draws the plot.
+// Describes which columns of a table a plot shows, and how. plots/plot.py draws the plot: every report
+// contains small Python programs (matplotlib) beside their data.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -47,5 +49,13 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
 
 /// Returns the description as JSON for plots/plot.py.
 std::string json_of(const PlotSpec& plot);
+
+/// Returns the path of the plot program plots/NAME.py. Throws InputError if it is not installed.
+std::filesystem::path plot_program(const std::string& name);
+
+/// Runs `program table stem.svg stem.pdf` with /usr/bin/python3, or else the python3 on PATH. Returns "" if
+/// the program wrote the pictures, else one line with the reason.
+std::string draw_plot(const std::filesystem::path& program, const std::filesystem::path& table,
+                      const std::filesystem::path& stem);
 
 }  // namespace pelage

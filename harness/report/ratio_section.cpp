@@ -66,13 +66,13 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
     }
     const std::string name = reading == "default" ? "" : reading + ": ";
     sentences.push_back(
-        least ? fmt::format(
-                    "{}the ratios have the geometric mean {:.2f} over {} of {} cells ({}) and the minimum "
-                    "{:.2f} ({}).",
-                    name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
-                    *ratio_of_pipelines(*least), name_without_reading(*least))
-              : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
-                            members.size()));
+        least
+            ? fmt::format(
+                  "{}the ratios have the geometric mean {:.2f} over {} of {} cells ({}) and the minimum {:.2f} ({}).",
+                  name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
+                  *ratio_of_pipelines(*least), name_without_reading(*least))
+            : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
+                          members.size()));
   }
   return sentences;
 }
@@ -95,9 +95,7 @@ std::string overhead_of(const std::vector<Cell>& cells) {
     }
   if (ours.empty()) return {};
   return fmt::format(
-      "Frames with curls and clumps take {:.2f} times the time of plain shells in OpenCL, and {:.2f} times "
-      "in OpenGL "
-      "(geometric means of {} cells).",
+      "Frames with curls and clumps take {:.2f} times the time of plain shells in OpenCL, and {:.2f} times in OpenGL (geometric means of {} cells).",
       geometric_mean(ours), geometric_mean(opengl), ours.size());
 }
 
@@ -123,9 +121,9 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
   Section section = section_of(
       cells, columns, stem + "-ratio", sources,
       {{"reading"}, {"model", "triangles"}, {"layers", "size"}, {"opengl_ratio"}},
-      {fmt::format("Time of the paper's pipeline ({}) divided by ours, for the same picture in the "
-                   "same round: median over the rounds, and its 95% interval.",
-                   renderer == cells.end() ? "OpenGL" : renderer->renderer)});
+      {fmt::format(
+          "Time of the paper's pipeline ({}) divided by ours, for the same picture in the same round: median over the rounds, and its 95% interval.",
+          renderer == cells.end() ? "OpenGL" : renderer->renderer)});
   Table& table = section.table;
   for (std::string& sentence : means_of(cells)) table.remarks.push_back(std::move(sentence));
   if (std::string sentence = overhead_of(cells); !sentence.empty())

@@ -14,8 +14,7 @@
 #include "harness/measure/provenance.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/csv.hpp"
-#include "harness/report/input_sets.hpp"
-#include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -136,10 +135,9 @@ void note_load(Report& report, const std::vector<FoundRow>& rows) {
     loaded += !load_warning(found.row).empty();
   }
   if (loaded > 0)
-    report.notes.push_back(
-        fmt::format("{} of {} rows were timed on a loaded machine: other processes used more than {:.0f}% of "
-                    "its CPU time (other_cpu_share in the journal)",
-                    loaded, timed, 100 * most_other_share));
+    report.notes.push_back(fmt::format(
+        "{} of {} rows were timed on a loaded machine: other processes used more than {:.0f}% of its CPU time (other_cpu_share in the journal)",
+        loaded, timed, 100 * most_other_share));
 }
 
 void note_copies(Report& report, const std::vector<FoundRow>& rows) {
@@ -183,20 +181,18 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
   std::vector<Report> reports;
   std::vector<std::string> apart;
   for (std::size_t i = 1; i < sets.size(); ++i)
-    apart.push_back(
-        fmt::format("{} of {} rows have the same names (case, variant, device and so on) as other rows but "
-                    "measured different inputs ({}); their files are "
-                    "in the folder inputs-{}, and the page shows them separately",
-                    sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
+    apart.push_back(fmt::format(
+        "{} of {} rows have the same names (case, variant, device and so on) as other rows but measured different inputs ({}); their files are in the folder inputs-{}, and the page shows them separately",
+        sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
   for (std::size_t i = 0; i < sets.size(); ++i)
-    reports.push_back(
-        write_report(sets[i].rows, i == 0 ? folder : folder / fmt::format("inputs-{}", i + 1), note,
-                     i == 0 ? apart
-                            : std::vector<std::string>{fmt::format(
-                                  "the inputs of these rows ({}) differ from the inputs of the rows with "
-                                  "the same names (case, variant, device and so on) in the first set",
-                                  sets[i].differs)},
-                     i == 0 ? left_out : std::vector<LeftOut>()));
+    reports.push_back(write_report(
+        sets[i].rows, i == 0 ? folder : folder / fmt::format("inputs-{}", i + 1), note,
+        i == 0
+            ? apart
+            : std::vector<std::string>{fmt::format(
+                  "the inputs of these rows ({}) differ from the inputs of the rows with the same names (case, variant, device and so on) in the first set",
+                  sets[i].differs)},
+        i == 0 ? left_out : std::vector<LeftOut>()));
   return reports;
 }
 

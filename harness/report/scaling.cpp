@@ -135,8 +135,7 @@ std::string in_turns_csv(const std::vector<Cell>& cells) {
 std::string in_turns_text(const std::vector<Cell>& cells) {
   if (cells.empty()) return {};
   std::string text =
-      "Frame time divided by the frame times with half and with a quarter of the layers: median over the "
-      "rounds [95% interval]\n";
+      "Frame time divided by the frame times with half and with a quarter of the layers: median over the rounds [95% interval]\n";
   const auto shown = [](const Metric& m) {
     return fmt::format("{:.2f} [{:.2f}, {:.2f}]", m.value, m.low.value_or(m.value), m.high.value_or(m.value));
   };
@@ -149,10 +148,10 @@ std::string in_turns_text(const std::vector<Cell>& cells) {
     half = std::max(half, by_half.value);
     quarter = std::max(quarter, by_quarter.value);
   }
-  return text + fmt::format(
-                    "A frame with twice the layers takes at most {:.2f} times as long (limit: {:.2f}); "
-                    "a frame with four times the layers takes at most {:.2f} times as long (limit: {:.1f})\n",
-                    half, most_for_doubling, quarter, most_for_64_by_16);
+  return text +
+         fmt::format(
+             "A frame with twice the layers takes at most {:.2f} times as long (limit: {:.2f}); a frame with four times the layers takes at most {:.2f} times as long (limit: {:.1f})\n",
+             half, most_for_doubling, quarter, most_for_64_by_16);
 }
 
 }  // namespace pelage

@@ -237,10 +237,9 @@ void check_sizes(const Scene& scene, const std::string& source) {
                                  scene.image.width, scene.image.height, pixels, most_pixels));
   }
   if (scene.fur.strands + scene.fur.undercoat < 1) {
-    throw InputError(
-        fmt::format("{}: fur.strands: the fur has neither guard hairs nor undercoat; give fur.strands or "
-                    "fur.undercoat above 0",
-                    source));
+    throw InputError(fmt::format(
+        "{}: fur.strands: the fur has neither guard hairs nor undercoat; give fur.strands or fur.undercoat above 0",
+        source));
   }
 }
 

@@ -59,6 +59,8 @@ const Key* find_key(const std::vector<Key>& keys, std::string_view name);
 std::vector<std::string> choices_of(std::string_view name);
 
 inline constexpr std::string_view droplet_list = "wetness.droplet";
+inline constexpr std::string_view contact_sphere_list = "contact.sphere";
+inline constexpr std::string_view contact_capsule_list = "contact.capsule";
 inline constexpr std::string_view light_list = "shading.light";
 inline constexpr std::string_view strand_layer_list = "strands.layer";
 inline constexpr std::string_view strand_fill_list = "strands.fill";
@@ -70,18 +72,6 @@ std::string describe_range(const Key& key);
 /// True if `model` is the path of a mesh file. Paths contain '/' or '.'. Names in models.toml contain
 /// neither of these characters.
 bool is_model_file(std::string_view model);
-
-inline constexpr std::string_view contact_sphere_list = "contact.sphere";
-inline constexpr std::string_view contact_capsule_list = "contact.capsule";
-
-/// Returns the keys of `contact` except those of the lists. Key::slot points into `contact`.
-std::vector<Key> contact_keys(ContactScene& contact);
-
-/// Returns the keys of an entry of [[contact.sphere]], with short names.
-std::vector<Key> contact_sphere_keys(ContactSphereScene& sphere);
-
-/// Returns the keys of an entry of [[contact.capsule]], with short names.
-std::vector<Key> contact_capsule_keys(ContactCapsuleScene& capsule);
 
 /// Returns the keys [strands] and [strands.chain]. Key::slot points into `strands`.
 std::vector<Key> strand_keys(StrandsScene& strands);

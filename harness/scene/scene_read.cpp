@@ -285,10 +285,9 @@ Scene parse_scene(std::string_view text, const std::string& name, const fs::path
   const toml::table table = parse_toml(std::string(text), name);
   for (const char* key : {"axes", "preset"})
     if (const toml::node* node = table.get(key); node && node->is_table())
-      throw InputError(
-          fmt::format("{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs "
-                      "an experiment",
-                      name, node->source().begin.line, key, name));
+      throw InputError(fmt::format(
+          "{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs an experiment",
+          name, node->source().begin.line, key, name));
   // The keys are read first, because a key of this text removes the keyframes that the base has for it.
   read_table(Keys(scene), Source{name, folder}, table, "");
   if (const toml::node* keyframes = table.get("keyframes"))

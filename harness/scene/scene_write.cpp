@@ -109,8 +109,7 @@ std::string pairs_text(const KeyTrack& track) {
 
 std::string write_keyframes(const Keyframes& keyframes) {
   const std::string meaning =
-      "values of keys over time, as pairs [time in s, value]; numbers and vectors are interpolated linearly, "
-      "other values change at the time of a pair";
+      "values of keys over time, as pairs [time in s, value]; numbers and vectors are interpolated linearly, other values change at the time of a pair";
   if (keyframes.tracks.empty())
     return fmt::format(
         "\n# This scene has no [keyframes]. This table gives {}. Example:\n"
@@ -180,12 +179,9 @@ std::string write_scene(const Scene& scene) {
   const std::vector<KeyList> lists = scene_lists(values), standard_lists = scene_lists(defaults);
   for (const KeyList& list : standard_lists) list.resize(1);
   std::string out =
-      "# A scene of pelage with all keys. Each comment gives the meaning and, in brackets, the range, unit "
-      "and "
-      "default.\n"
+      "# A scene of pelage with all keys. Each comment gives the meaning and, in brackets, the range, unit and default.\n"
       "# R is the radius of the model's bounding sphere.\n"
-      "# S and W are the papers of Silva et al. 2010 about curling fur and about wet fur. B is the paper of "
-      "Banisch and Wuethrich 2006.\n";
+      "# S and W are the papers of Silva et al. 2010 about curling fur and about wet fur. B is the paper of Banisch and Wuethrich 2006.\n";
   std::string_view table;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const std::string_view name = keys[i].name;

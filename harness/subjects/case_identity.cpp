@@ -46,8 +46,8 @@ Identity case_identity(SubjectContext& context, const Case& which, const Samplin
                     {"sampling", hash(text_of(limits))},
                     {"device", device_hash(device_provenance(context.device.info()))},
                     {build_part, build_hash()}};
-  if (which.pipeline == baseline_pipeline)
-    identity["baseline"] = scene_hash(scene_of(context.experiment, baseline_case(context.experiment, which)));
+  if (which.pipeline == control_pipeline)
+    identity["baseline"] = scene_hash(scene_of(context.experiment, control_case(context.experiment, which)));
   return identity;
 }
 
@@ -70,17 +70,14 @@ void refuse_other_inputs(const std::string& file, const std::vector<KeptRow>& ke
                          const std::function<Identity(const Case&)>& identity) {
   for (const auto& [row, which] : kept) {
     if (row->identity.empty())
-      throw InputError(
-          fmt::format("{}: an older version of pelage wrote the row of {}; the row does not record the "
-                      "inputs of the measurement; give a new folder with -o",
-                      file, row->case_name));
+      throw InputError(fmt::format(
+          "{}: an older version of pelage wrote the row of {}; the row does not record the inputs of the measurement; give a new folder with -o",
+          file, row->case_name));
     const Identity now = present_identity(identity(*which), row->identity);
     if (const std::vector<std::string> texts = differences(row->identity, now); !texts.empty())
-      throw InputError(
-          fmt::format("{}: the recorded row of {} measured something else: {}; restore the recorded inputs, "
-                      "or give a new "
-                      "folder with -o",
-                      file, row->case_name, fmt::join(texts, "; ")));
+      throw InputError(fmt::format(
+          "{}: the recorded row of {} measured something else: {}; restore the recorded inputs, or give a new folder with -o",
+          file, row->case_name, fmt::join(texts, "; ")));
   }
 }
 

@@ -1,8 +1,9 @@
 #include "harness/subjects/frames.hpp"
 
 #include "harness/cl/program.hpp"
-#include "harness/compare/shares.hpp"
+#include "harness/compare/metrics.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/measure/provenance.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"

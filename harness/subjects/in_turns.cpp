@@ -14,7 +14,7 @@ std::vector<Check> same_picture(const Turn& other, const Picture& timed) {
   return other_filter_checks(other.name, compare(timed, other.subject->read()));
 }
 
-void describe_baseline(const Turn& other, Row& row) {
+void describe_opengl(const Turn& other, Row& row) {
   Row theirs;
   other.subject->describe(theirs);
   row.metrics[other.name + "_build_ms"] = {theirs.build_ms, "ms"};
@@ -25,8 +25,8 @@ void describe_baseline(const Turn& other, Row& row) {
 
 }  // namespace
 
-std::unique_ptr<Subject> against_baseline_scene(const MakeSubject& make, const Experiment& experiment,
-                                                const Case& which) {
+std::unique_ptr<Subject> against_control_scene(const MakeSubject& make, const Experiment& experiment,
+                                               const Case& which) {
   struct Likeness {
     double psnr = 0, ssim = 0;
   };
@@ -43,16 +43,15 @@ std::unique_ptr<Subject> against_baseline_scene(const MakeSubject& make, const E
   };
   rules.frame_over = true;
   std::vector<Turn> others;
-  others.push_back({"baseline", make(baseline_case(experiment, which))});
+  others.push_back({"baseline", make(control_case(experiment, which))});
   return std::make_unique<Turns>(make(which), std::move(others), std::move(rules));
 }
 
 std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which, int layers) {
   if (layers < 4 || layers % 4 != 0)
-    throw InputError(
-        fmt::format("{}: fur.layers is {}; give a multiple of 4, because {} also draws pictures with half "
-                    "and with a quarter of the layers",
-                    which.name, layers, which.pipeline));
+    throw InputError(fmt::format(
+        "{}: fur.layers is {}; give a multiple of 4, because {} also draws pictures with half and with a quarter of the layers",
+        which.name, layers, which.pipeline));
   const auto with = [&](int number) {
     Case fewer = which;
     fewer.set.emplace_back("fur.layers", std::to_string(number));
@@ -69,7 +68,7 @@ std::unique_ptr<Subject> with_opengl(std::unique_ptr<Subject> ours, std::unique_
   std::vector<Turn> others;
   others.push_back({"opengl", std::move(theirs)});
   return std::make_unique<Turns>(std::move(ours), std::move(others),
-                                 TurnRules{.check = same_picture, .describe = describe_baseline});
+                                 TurnRules{.check = same_picture, .describe = describe_opengl});
 }
 
 }  // namespace pelage

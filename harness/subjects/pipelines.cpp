@@ -5,7 +5,6 @@
 #include "harness/springs/studies/study.hpp"
 #include "harness/subjects/frames.hpp"
 #include "harness/subjects/in_turns.hpp"
-#include "harness/subjects/raycast_difference.hpp"
 #include "harness/system/strands/backends.hpp"
 
 namespace pelage {
@@ -30,10 +29,10 @@ constexpr Pipeline studies[] = {
        return fewer_layers([&](const Case& fewer) { return frames_of(context, fewer, "shells"); }, which,
                            scene_of(context.experiment, which).fur.layers);
      }},
-    {baseline_pipeline,
+    {control_pipeline,
      [](SubjectContext& context, const Case& which) {
-       return against_baseline_scene([&](const Case& scene) { return frames_of(context, scene, "shells"); },
-                                     context.experiment, which);
+       return against_control_scene([&](const Case& scene) { return frames_of(context, scene, "shells"); },
+                                    context.experiment, which);
      }},
     {"shells+opengl",
      [](SubjectContext& context, const Case& which) {

@@ -1,9 +1,6 @@
-#include "harness/subjects/raycast_difference.hpp"
-
-#include <glm/geometric.hpp>
-
 #include "harness/compare/metrics.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "harness/subjects/in_turns.hpp"
 #include "harness/system/strands/backends.hpp"
 
 namespace pelage {

@@ -5,7 +5,6 @@
 #include <map>
 #include <string_view>
 
-#include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "harness/base/numbers.hpp"
-#include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

@@ -1,7 +1,7 @@
-#include "harness/table/pivot.hpp"
-
 #include <algorithm>
 #include <stdexcept>
+
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {

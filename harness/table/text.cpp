@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {

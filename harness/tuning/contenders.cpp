@@ -1,11 +1,8 @@
-#include "harness/tuning/contenders.hpp"
-
 #include <fmt/format.h>
 
 #include <chrono>
 
 #include "harness/compare/checks.hpp"
-#include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/shells/opencl/shells.hpp"
@@ -13,6 +10,7 @@
 #include "harness/shells/opencl/wet_stage.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
+#include "harness/tuning/tuning_search.hpp"
 
 namespace pelage {
 namespace {

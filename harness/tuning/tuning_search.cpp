@@ -1,6 +1,5 @@
 #include "harness/tuning/tuning_search.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <set>

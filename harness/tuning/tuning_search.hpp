@@ -1,5 +1,5 @@
-// Searches for the fastest values of the tuning axes on a device. Candidates run alternately. A candidate
-// with wrong output cannot win.
+// Searches for the fastest values of the tuning axes on a device. Contenders made from the stages of a frame
+// run alternately. A contender with wrong output cannot win.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/cl/device.hpp"
 #include "harness/measure/statistics.hpp"
+#include "harness/prepare/frame_input.hpp"
 #include "harness/tuning/tuning.hpp"
 
 namespace pelage {
@@ -63,5 +65,11 @@ struct TuningSearch {
 /// timed candidate.
 TuningSearch search_tuning(const std::vector<TuningAxis>& axes, const std::vector<TuningScene>& scenes,
                            int rounds, const std::function<void(const Candidate&)>& told);
+
+/// Returns a tuning scene called `name`, whose contenders run on `device`. For the stage "rasterize", a
+/// contender times whole frames, for "simulate" the strand simulation of a frame, and for "wet" the
+/// computation of the wetness mask. Throws InputError for other stages.
+TuningScene tuning_scene(const std::string& stage, const std::string& name, const cl::Device& device,
+                         const std::shared_ptr<const FrameInput>& input);
 
 }  // namespace pelage

@@ -1,5 +1,3 @@
-#include "harness/animation/frame_folder.hpp"
-
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "harness/animation/animation.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"
 

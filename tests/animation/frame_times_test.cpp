@@ -1,5 +1,4 @@
-#include "harness/animation/frame_times.hpp"
-
+#include "harness/animation/animation.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "tests/support/texts.hpp"
 

@@ -1,6 +1,6 @@
-#include "harness/claims/verdict.hpp"
-
 #include <gtest/gtest.h>
+
+#include "harness/claims/judge.hpp"
 
 namespace pelage::claims {
 namespace {

@@ -2,9 +2,9 @@
 // much from the reference.
 #include <gtest/gtest.h>
 
+#include "harness/compare/checks.hpp"
 #include "harness/compare/metrics.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/compare/windows.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene.hpp"

@@ -6,8 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness/compare/frame_output.hpp"
-#include "harness/diagrams/mask_picture.hpp"
-#include "harness/diagrams/strand_lines.hpp"
+#include "harness/diagrams/diagrams.hpp"
 #include "harness/error.hpp"
 #include "tests/support/synthetic.hpp"
 

@@ -1,12 +1,11 @@
 // Tests the numbers of sections against closed forms.
-#include "harness/diagrams/section.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "harness/diagrams/diagrams.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {

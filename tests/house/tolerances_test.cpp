@@ -77,7 +77,7 @@ TEST(Tolerances, PlantedOnesAreFound) {
       {"harness/springs/studies/duel.cpp", R"(        {"reference", "residual", left, 1e-3, false},)"},
       {"harness/compare/checks.cpp",
        R"({"masses", "rms error / L0", std::sqrt(square / double(error.size())), 1e-3, false},)"},
-      {"harness/compare/windows.cpp", R"(  {"reference", "psnr", all.psnr, 60.0, true},)"},
+      {"harness/compare/checks.cpp", R"(  {"reference", "psnr", all.psnr, 60.0, true},)"},
       {"harness/commands/check.cpp", R"({"mappings", name, compare(a, b).worst, 1.0 / 255.0, false}};)"},
       {"harness/tuning/contenders.cpp", "bad = bad || !(std::abs(a - b) <= 1e-5);"},
       {"tests/portability/pictures_test.cpp", "EXPECT_GE(with_here.psnr, 60) << describe(with_here);"},

@@ -1,12 +1,11 @@
 // Tests mesh files with several components: which components are kept, and how their charts are packed.
-#include "harness/mesh/components.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/steps.hpp"
 #include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {

@@ -1,6 +1,4 @@
 // Tests the frames of a mesh that moves and deforms.
-#include "harness/mesh/frames.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 

@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "harness/isolated/isolated.hpp"
-#include "harness/mesh/flatten.hpp"
 #include "harness/mesh/laplace.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/write_ply.hpp"
+#include "harness/mesh/unfold.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
-#include "harness/mesh/procedural.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/steps.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <limits>
 
+#include "harness/mesh/mesh.hpp"
 #include "harness/mesh/unfold.hpp"
-#include "harness/mesh/write_ply.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 

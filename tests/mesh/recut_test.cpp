@@ -1,6 +1,4 @@
 // Tests that the parts of a UV map that overlap get charts of their own.
-#include "harness/mesh/recut.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // Tests that text is painted where the scene places it, and that fonts which cannot be read are refused.
-#include "harness/picture/text_mask.hpp"
 
 #include <algorithm>
 #include <limits>
 
+#include "harness/picture/image_module.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"
 

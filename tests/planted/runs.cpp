@@ -8,7 +8,7 @@
 
 #include "harness/picture/image_io.hpp"
 #include "harness/record/journal.hpp"
-#include "harness/report/input_sets.hpp"
+#include "harness/report/csv.hpp"
 #include "tests/mesh/mesh_files.hpp"
 
 namespace pelage::planted {

@@ -1,5 +1,3 @@
-#include "harness/prepare/camera.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "harness/error.hpp"
+#include "harness/prepare/prepare.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/skin.hpp"
 #include "harness/prepare/strands.hpp"

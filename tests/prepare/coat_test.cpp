@@ -7,7 +7,6 @@
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/picture/image_io.hpp"
-#include "harness/prepare/surface_map.hpp"
 #include "tests/prepare/meshes.hpp"
 #include "tests/support/files.hpp"
 

@@ -1,13 +1,13 @@
 // Tests the preparation of maps and colliders, and the refusal of bad ones.
-#include "harness/prepare/style.hpp"
 
 #include <limits>
 
 #include "harness/error.hpp"
-#include "harness/mesh/write_ply.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/picture_map.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/prepare/strands.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/style_scenes.hpp"
 #include "tests/support/texts.hpp"

@@ -1,5 +1,3 @@
-#include "harness/prepare/tangents.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <numbers>
 
 #include "harness/mesh/mesh.hpp"
+#include "harness/prepare/strands.hpp"
 #include "tests/prepare/meshes.hpp"
 
 namespace pelage {

@@ -1,10 +1,8 @@
-#include "harness/prepare/texture_cache.hpp"
 
 #include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/fur_texture.hpp"
-#include "harness/prepare/surface_map.hpp"
 #include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {

@@ -1,7 +1,6 @@
-#include "harness/report/input_sets.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/report/csv.hpp"
 #include "tests/report/rows.hpp"
 
 namespace pelage {

@@ -1,6 +1,6 @@
 #include "harness/report/profile.hpp"
 
-#include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"
 

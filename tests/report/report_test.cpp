@@ -7,7 +7,6 @@
 
 #include "harness/error.hpp"
 #include "harness/report/csv.hpp"
-#include "harness/report/plot.hpp"
 #include "harness/report/plot_spec.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/files.hpp"

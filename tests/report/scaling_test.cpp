@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "harness/report/report.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/report/report.hpp"
-#include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/texts.hpp"

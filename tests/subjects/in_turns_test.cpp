@@ -29,7 +29,7 @@ Case case_named(const Experiment& e, const std::string& name) {
 
 TEST(Baseline, HasTheFirstValueOfNamedAxesAndAllOtherSettings) {
   const Experiment e = two_readings();
-  const Case curled = case_named(e, "pear-curled-16"), plain = baseline_case(e, curled);
+  const Case curled = case_named(e, "pear-curled-16"), plain = control_case(e, curled);
   EXPECT_EQ(curled.settings.at("curl.radius"), "0.03");
   EXPECT_EQ(plain.settings.at("curl.radius"), "0.0");
   EXPECT_FALSE(plain.settings.contains("curl.turns"));
@@ -48,7 +48,7 @@ Row row_with_baseline(const std::string& bad = "") {
                                                which.name == bad ? 40.0 : 80.0);
   };
   return run_case(test::fake_plan(1), case_named(e, "torus-curled-8"), six_to_ten,
-                  [&](const Case& which) { return against_baseline_scene(by_curls, e, which); });
+                  [&](const Case& which) { return against_control_scene(by_curls, e, which); });
 }
 
 TEST(Baseline, IsTimedInTurnsWithTheCase) {

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "harness/base/numbers.hpp"
-#include "harness/table/pivot.hpp"
 #include "harness/table/render.hpp"
 #include "tests/support/texts.hpp"
 

@@ -1,7 +1,7 @@
-#include "harness/tuning/contenders.hpp"
 
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/shells.hpp"
+#include "harness/tuning/tuning_search.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
 

@@ -152,11 +152,9 @@ std::string text_bytes(const TextLine& line, int side) {
   if (bounds.width() < 1 || bounds.height() < 1)
     throw InputError(fmt::format("wetness.text: {} has no letters for this text", line.font.string()));
   if (x + bounds.xbegin < 0 || y + bounds.ybegin < 0 || x + bounds.xend > side || y + bounds.yend > side)
-    throw InputError(
-        fmt::format("wetness.text: the text is {:.3f} wide and {:.3f} high in UV, and leaves the unit "
-                    "square; give a smaller "
-                    "wetness.text_height, or another wetness.text_u or wetness.text_v",
-                    double(bounds.width()) / side, double(bounds.height()) / side));
+    throw InputError(fmt::format(
+        "wetness.text: the text is {:.3f} wide and {:.3f} high in UV, and leaves the unit square; give a smaller wetness.text_height, or another wetness.text_u or wetness.text_v",
+        double(bounds.width()) / side, double(bounds.height()) / side));
   OIIO::ImageBuf picture(OIIO::ImageSpec(side, side, 1, OIIO::TypeDesc::UINT8));
   OIIO::ImageBufAlgo::zero(picture);
   if (!OIIO::ImageBufAlgo::render_text(picture, x, y, line.text, size, line.font.string()))

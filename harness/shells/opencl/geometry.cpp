@@ -6,7 +6,7 @@
 #include <span>
 
 #include "harness/error.hpp"
-#include "harness/prepare/style.hpp"
+#include "harness/prepare/strands.hpp"
 #include "kernels/rasterize/params.h"
 #include "kernels/simulate/params.h"
 

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "harness/error.hpp"
-#include "harness/prepare/tangents.hpp"
+#include "harness/prepare/strands.hpp"
 
 namespace pelage::strands {
 namespace {

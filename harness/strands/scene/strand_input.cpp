@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
-#include "harness/prepare/camera.hpp"
-#include "harness/prepare/texture_cache.hpp"
+#include "harness/prepare/coat.hpp"
+#include "harness/prepare/prepare.hpp"
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/groom/fur.hpp"
 

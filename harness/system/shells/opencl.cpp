@@ -5,8 +5,7 @@
 
 #include "harness/cl/builds.hpp"
 #include "harness/compare/checks.hpp"
-#include "harness/compare/shares.hpp"
-#include "harness/compare/windows.hpp"
+#include "harness/compare/metrics.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/reference/mask.hpp"

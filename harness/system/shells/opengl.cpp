@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "harness/compare/shares.hpp"
-#include "harness/compare/windows.hpp"
+#include "harness/compare/checks.hpp"
+#include "harness/compare/metrics.hpp"
 #include "harness/parallel.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/shells/reference/mask.hpp"

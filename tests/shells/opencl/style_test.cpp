@@ -7,7 +7,7 @@
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/mesh/write_ply.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/files.hpp"

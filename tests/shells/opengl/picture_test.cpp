@@ -6,7 +6,7 @@
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/mesh/write_ply.hpp"
+#include "harness/mesh/mesh.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/shells/opengl/scenes.hpp"
 #include "tests/support/files.hpp"

@@ -1,6 +1,4 @@
 // Tests droplets at the seams of the UV map (wetness.seams, docs/shells.md, section 2).
-#include "harness/prepare/seams.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "harness/prepare/droplets.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/shells/reference/mask.hpp"

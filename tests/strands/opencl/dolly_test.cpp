@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "harness/prepare/camera.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/strands/drawing/detail.hpp"

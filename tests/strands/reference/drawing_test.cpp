@@ -11,7 +11,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
-#include "harness/prepare/camera.hpp"
+#include "harness/prepare/prepare.hpp"
 
 namespace pelage::strands::reference {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "harness/prepare/camera.hpp"
+#include "harness/prepare/prepare.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
 

@@ -1,13 +1,17 @@
-// pelage completion: prints a script with which a shell completes pelage's command line. The script and
-// --help are generated from the same option declarations, so their options always agree.
+// pelage completion prints a script with which a shell completes pelage's command line. pelage manual, which
+// the installation calls, prints the manual page (troff) with a section COMMANDS. Both are generated from the
+// declarations of the options, so that they always agree with --help.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <vector>
 
 #include "harness/commands/commands.hpp"
+#include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/scene/scene_keys.hpp"
@@ -143,22 +147,80 @@ complete -o default -F _pelage pelage
       fmt::join(commands, " "), fmt::join(option_names(app), " "), fmt::join(commands, " | "), values, words);
 }
 
+/// Returns the text with troff's special characters escaped.
+std::string troff(const std::string& text) {
+  std::string escaped = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
+  for (const char c : text) escaped += c == '-' ? "\\-" : c == '\\' ? "\\e" : std::string(1, c);
+  return escaped;
+}
+
+std::string section_of(const CLI::App& command) {
+  std::string title, options;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option == command.get_help_ptr()) continue;
+    std::string names;
+    for (const std::string& name : option->get_snames()) names += fmt::format(", \\fB\\-{}\\fR", name);
+    for (const std::string& name : option->get_lnames())
+      names += fmt::format(", \\fB{}\\fR", troff("--" + name));
+    if (option->get_positional()) {
+      names = fmt::format(", \\fI{}\\fR", option->get_name());
+      title += option->get_required() ? fmt::format(" \\fI{}\\fR", option->get_name())
+                                      : fmt::format(" \\fR[\\fI{}\\fR]", option->get_name());
+    }
+    if (option->get_type_size() != 0) names += fmt::format(" \\fI{}\\fR", troff(option->get_type_name()));
+    options += fmt::format(".TP\n{}\n{}", names.substr(2), troff(option->get_description()));
+    if (!option->get_default_str().empty())
+      options += fmt::format(" (default: {})", troff(option->get_default_str()));
+    options += ".\n";
+  }
+  return fmt::format(".SS pelage {}{}\n{}.\n{}", troff(command.get_name()), title,
+                     troff(command.get_description()), options);
+}
+
+/// The value of the positional argument, and pelage's declarations.
+struct CommandLine {
+  std::string value;
+  CLI::App* app = nullptr;
+};
+
+int print_completion(const CommandLine& options) {
+  fmt::print("{}", bash_script(*options.app));
+  return 0;
+}
+
+int print_manual(const CommandLine& options) {
+  std::ifstream stream(options.value);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t start = text.find(".SH COMMANDS\n"), end = text.find(".SH ", start + 1);
+  if (end == std::string::npos)
+    throw InputError(fmt::format("{}: has no section COMMANDS before another section", options.value));
+  fmt::print("{}.SH COMMANDS\n", text.substr(0, start));
+  for (const CLI::App* one : options.app->get_subcommands([](const CLI::App*) { return true; }))
+    fmt::print("{}", section_of(*one));
+  fmt::print("{}", text.substr(end));
+  return 0;
+}
+
 }  // namespace
 
 void add_completion(CLI::App& app, Chosen& chosen) {
-  auto shell = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("completion", "Print a script that completes pelage's command line in a shell");
-  command->add_option("shell", *shell, "Name of the shell")
+  auto [command, options] = add_command<CommandLine>(
+      app, chosen, "completion", "Print a script that completes pelage's command line in a shell",
+      print_completion);
+  options.app = &app;
+  add_value(command, "shell", options.value, "SHELL", "Name of the shell")
       ->required()
-      ->check(CLI::IsMember({"bash"}))
-      ->type_name("SHELL");
-  command->callback([shell, &app, &chosen] {
-    chosen = [shell, &app] {
-      fmt::print("{}", bash_script(app));
-      return 0;
-    };
-  });
+      ->check(CLI::IsMember({"bash"}));
+}
+
+void add_manual(CLI::App& app, Chosen& chosen) {
+  auto [command, options] = add_command<CommandLine>(
+      app, chosen, "manual", "Print a manual page with the descriptions of all commands", print_manual);
+  options.app = &app;
+  add_value(command, "page", options.value, "FILE",
+            "Page (troff) whose section COMMANDS is replaced: docs/pelage.1")
+      ->required()
+      ->check(CLI::ExistingFile);
 }
 
 }  // namespace pelage

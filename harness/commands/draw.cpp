@@ -1,23 +1,68 @@
+// pelage render, pelage animate and pelage scene: pictures and animations of a scene, and the scene itself.
 #include <fmt/format.h>
 
 #include <chrono>
 
-#include "harness/animation/frame_folder.hpp"
-#include "harness/animation/frame_times.hpp"
-#include "harness/animation/video.hpp"
+#include "harness/animation/animation.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/commands/commands.hpp"
 #include "harness/commands/progress.hpp"
-#include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
+#include "harness/dump/dump.hpp"
 #include "harness/error.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/measure/interrupt.hpp"
+#include "harness/picture/image_io.hpp"
 #include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {
+namespace {
+
+struct RenderOptions {
+  SceneOptions scene;
+  std::string output, dump;
+  RendererOptions renderer;
+};
+
+/// Prints the name of the device and the time of its first frame, which has no warm-up, unless the pipeline
+/// runs on the host.
+void report_first_frame(const Renderer& renderer) {
+  if (renderer.device().empty()) return;
+  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
+             renderer.device(), renderer.ms());
+}
+
+int render(const RenderOptions& options) {
+  check_picture_path(options.output);
+  if (!options.dump.empty()) check_dump_path(options.dump);
+  const Scene resolved = resolve_scene(options.scene);
+  const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
+  // The device is opened before the mesh is prepared. Otherwise the user would learn of an invalid device
+  // name only after the preparation, which may take minutes.
+  const std::unique_ptr<Renderer> renderer = open_renderer(options.renderer, resolved, scene);
+  const Picture picture = renderer->draw(scene, load_drawn_mesh(options.renderer, scene));
+  report_first_frame(*renderer);
+  write_picture(options.output, picture);
+  if (!options.dump.empty()) renderer->dump(options.dump);
+  return 0;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Chosen& chosen) {
+  auto [command, options] =
+      add_command<RenderOptions>(app, chosen, "render", "Draw one picture of a scene", render);
+  add_scene_options(command, options.scene, true);
+  add_value(command, "-o,--output", options.output, "IMAGE",
+            "Picture to write: .png (8-bit), .exr or .tif (float)")
+      ->required();
+  add_renderer_options(command, options.renderer);
+  add_value(command, "--dump", options.dump, "FRAME.h5",
+            "Write all inputs and intermediate arrays of the frame as HDF5");
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,17 +173,11 @@ int animate(const AnimateOptions& options) {
 }
 
 void add_time_options(CLI::App& command, TimeOptions& times) {
-  command.add_option("--fps", times.fps, "Frames per second of the scene's time")
-      ->type_name("F")
-      ->capture_default_str();
-  command.add_option("--from", times.from, "Time of the first frame in seconds")
-      ->type_name("SECONDS")
-      ->capture_default_str();
-  command
-      .add_option("--to", times.to,
-                  "Time of the last frame in seconds (default: the time of the scene's last keyframe)")
-      ->type_name("SECONDS");
-  command.add_option("--frames", times.frames, "Number of frames, instead of --to")->type_name("N");
+  add_value(command, "--fps", times.fps, "F", "Frames per second of the scene's time");
+  add_value(command, "--from", times.from, "SECONDS", "Time of the first frame in seconds");
+  add_value(command, "--to", times.to, "SECONDS",
+            "Time of the last frame in seconds (default: the time of the scene's last keyframe)");
+  add_value(command, "--frames", times.frames, "N", "Number of frames, instead of --to");
 }
 
 }  // namespace
@@ -147,17 +186,31 @@ void add_animate(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<AnimateOptions>(
       app, chosen, "animate", "Draw the frames of an animation of a scene", animate);
   add_scene_options(command, options.scene, true);
-  command.add_option("-o,--output", options.output, "Folder for the frames, frame-00000.png and so on")
-      ->required()
-      ->type_name("FOLDER");
+  add_value(command, "-o,--output", options.output, "FOLDER",
+            "Folder for the frames, frame-00000.png and so on")
+      ->required();
   add_time_options(command, options.times);
-  command.add_option("--gif", options.gif, "Also join the frames to a GIF file (needs ffmpeg)")
-      ->type_name("FILE");
-  command.add_option("--mp4", options.mp4, "Also join the frames to an MP4 video (needs ffmpeg)")
-      ->type_name("FILE");
+  add_value(command, "--gif", options.gif, "FILE", "Also join the frames to a GIF file (needs ffmpeg)");
+  add_value(command, "--mp4", options.mp4, "FILE", "Also join the frames to an MP4 video (needs ffmpeg)");
   command.add_flag("--resume", options.resume,
                    "Continue an interrupted animation: keep the complete frames of the folder");
   add_renderer_options(command, options.renderer);
+}
+
+namespace {
+
+int print_scene(const SceneOptions& options) {
+  fmt::print("{}", write_scene(resolve_scene(options)));
+  return 0;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app, Chosen& chosen) {
+  auto [command, options] = add_command<SceneOptions>(
+      app, chosen, "scene",
+      "Print a scene with all overrides: value, meaning, unit, range and default of each key", print_scene);
+  add_scene_options(command, options, false);
 }
 
 }  // namespace pelage
