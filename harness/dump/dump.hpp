@@ -55,5 +55,3 @@ auto column(const std::vector<Element>& elements, const Value& value) {
 
 void write_camera(Hdf5File& file, const Camera& camera);
 }  // namespace pelage::dump
-
-namespace pelage {}  // namespace pelage

@@ -297,6 +297,9 @@ std::vector<fs::path> gltf_files(std::string_view bytes, const fs::path& file) {
   return files;
 }
 
+}  // namespace pelage::detail
+
+namespace pelage {
 namespace {
 
 // Returns true if the area of the map in UV space exceeds 1e-12 times the area of its bounding square. A
@@ -350,4 +353,4 @@ Surface weld(const Soup& soup, const std::string& name) {
   return surface;
 }
 
-}  // namespace pelage::detail
+}  // namespace pelage
