@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets of tests/fuzz with clang, runs each for SECONDS, and prints the number of executions and of
-# findings (inputs that cause an error, in build/fuzz/findings), with which the exit code is 1. The tests run the inputs
-# in tests/fuzz/corpus/TARGET. The fuzzer does not start from the inputs slow-*, whose execution takes seconds.
+# findings (inputs that cause an error, in build/fuzz/findings), with which the exit code is 1. The fuzzer starts from the
+# inputs in tests/fuzz/corpus/TARGET, which the tests run too, except slow-*, whose execution takes seconds; and from the
+# files of examples/ and experiments/.
 #
 # Usage: scripts/fuzz.sh SECONDS [TARGET...]
 #   PELAGE_FUZZ_JOBS=N: runs N targets at a time (default 2)
@@ -49,6 +50,11 @@ run_one() {
   mkdir -p "$build/new/$target"
   rm -rf "$build/seeds/$target" && mkdir -p "$build/seeds/$target"
   find "tests/fuzz/corpus/$target" -type f -not -name 'slow-*' -exec cp -t "$build/seeds/$target" {} +
+  case $target in
+    scene) cp examples/*.toml "$build/seeds/$target" ;;
+    experiment) cp experiments/silva2010-*.toml "$build/seeds/$target" ;;
+    claims | models) cp "experiments/$target"*.toml "$build/seeds/$target" ;;
+  esac
   words_of "$target" >"$build/seeds/$target.dict"
   [[ ! -s $build/seeds/$target.dict ]] || options+=("-dict=$build/seeds/$target.dict")  # an empty one is an error
   "$build/tests/fuzz/fuzz_$target" -seed="${PELAGE_FUZZ_SEED:-0}" -max_total_time="$seconds" -timeout=60 \

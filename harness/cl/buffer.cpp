@@ -20,10 +20,9 @@ Memory::Memory(const Device& device, std::size_t bytes) : bytes_(bytes) {
   // Drivers allocate lazily. Without this test, a kernel launch would fail later, with an error that does not
   // name the size.
   if (bytes > device.info().max_allocation)
-    throw DeviceError(
-        fmt::format("clCreateBuffer: {} MB requested, but {} allocates at most {} MB at once: try a smaller "
-                    "picture or mesh, fewer layers or another --device",
-                    bytes >> 20, device.info().name, device.info().max_allocation >> 20));
+    throw DeviceError(fmt::format(
+        "clCreateBuffer: {} MB requested, but {} allocates at most {} MB at once: try a smaller picture or mesh, fewer layers or another --device",
+        bytes >> 20, device.info().name, device.info().max_allocation >> 20));
   cl_int code = CL_SUCCESS;
   memory_.reset(clCreateBuffer(device.context(), CL_MEM_READ_WRITE, bytes > 0 ? bytes : 1, nullptr, &code));
   check(code, fmt::format("clCreateBuffer of {} bytes", bytes));

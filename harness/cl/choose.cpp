@@ -82,9 +82,7 @@ std::vector<std::size_t> by_name(const std::vector<DeviceInfo>& all, std::string
 std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, std::string_view origin) {
   if (all.empty())
     throw NoDeviceError(
-        "no OpenCL device found: install a driver (Debian: pocl-opencl-icd for the CPU, nvidia-opencl-icd "
-        "for NVIDIA) "
-        "and check that clinfo lists it");
+        "no OpenCL device found: install a driver (Debian: pocl-opencl-icd for the CPU, nvidia-opencl-icd for NVIDIA) and check that clinfo lists it");
   if (wanted.empty()) {
     if (auto gpus = matching(all, &DeviceInfo::gpu); !gpus.empty()) return gpus.front();
     if (auto cpus = matching(all, &DeviceInfo::cpu); !cpus.empty()) return cpus.front();

@@ -87,8 +87,7 @@ const char* advice_for(cl_int code) {
     case CL_OUT_OF_RESOURCES:
     case CL_OUT_OF_HOST_MEMORY:
     case CL_INVALID_BUFFER_SIZE:
-      return "the device ran out of memory or registers: try a smaller picture, fewer layers or another "
-             "--device";
+      return "the device ran out of memory or registers: try a smaller picture, fewer layers or another --device";
     case CL_DEVICE_NOT_FOUND:
     case CL_DEVICE_NOT_AVAILABLE:
     case -1001:
@@ -104,8 +103,7 @@ const char* advice_for(cl_int code) {
     case CL_INVALID_CONTEXT:
     case CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST:
     case -9999:
-      return "an earlier kernel failed or the driver was reset: run again, and report the error if it occurs "
-             "again";
+      return "an earlier kernel failed or the driver was reset: run again, and report the error if it occurs again";
     default:
       return "a fault of pelage or of the driver: please report it with the output of `pelage devices`";
   }

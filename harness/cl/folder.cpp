@@ -38,8 +38,7 @@ fs::path kernel_folder() {
   const fs::path folder = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR).back() / "kernels";
   if (fs::is_directory(folder, ignored)) return folder;
   throw InputError(
-      fmt::format("{}: this folder of kernels is missing: name the folder with --kernels or "
-                  "PELAGE_DATA",
+      fmt::format("{}: this folder of kernels is missing: name the folder with --kernels or PELAGE_DATA",
                   folder.string()));
 }
 

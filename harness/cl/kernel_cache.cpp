@@ -69,8 +69,7 @@ void explain_aborts() {
   const fs::path folder = kernel_cache();
   if (folder.empty()) return;
   crash_advice = fmt::format(
-      "pelage: the program was aborted, probably by PoCL because a file in its folder of compiled kernels is "
-      "damaged; delete this folder and run the command again: {}\n",
+      "pelage: the program was aborted, probably by PoCL because a file in its folder of compiled kernels is damaged; delete this folder and run the command again: {}\n",
       folder.string());
   std::signal(SIGABRT, explain);
   std::signal(SIGBUS, explain);

@@ -58,9 +58,7 @@ std::string cache_advice(const BuiltProgram& built) {
   const fs::path folder = built.by_pocl ? kernel_cache() : fs::path();
   if (folder.empty()) return {};
   return fmt::format(
-      "; if the kernels are those of pelage, a file in PoCL's folder of compiled kernels is probably "
-      "damaged: "
-      "delete this folder and run the command again: {}",
+      "; if the kernels are those of pelage, a file in PoCL's folder of compiled kernels is probably damaged: delete this folder and run the command again: {}",
       folder.string());
 }
 

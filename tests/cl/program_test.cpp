@@ -76,8 +76,7 @@ TEST_F(Programs, LaunchKernelsInGroupsOfOneSize) {
       "  if (i < count) out[i] = get_local_size(0);\n"
       "  if (i == 0) out[count] = get_global_size(0);\n"
       "}\n"
-      "__kernel __attribute__((reqd_work_group_size(32, 1, 1))) void required(uint count, __global uint "
-      "*out) {\n"
+      "__kernel __attribute__((reqd_work_group_size(32, 1, 1))) void required(uint count, __global uint *out) {\n"
       "  size_t i = get_global_id(0);\n"
       "  if (i < count) out[i] = get_local_size(0);\n"
       "}\n");
@@ -169,9 +168,7 @@ TEST_F(Programs, NameAnUnknownKernelAndAWrongArgument) {
 TEST_F(Programs, TimeTheirEvents) {
   folder.write(
       "work.cl",
-      "__kernel void work(__global float *out) { float x = get_global_id(0); for (int i = 0; i < 2000; "
-      "++i) x = fma(x, "
-      "0.5f, 1.0f); out[get_global_id(0)] = x; }\n");
+      "__kernel void work(__global float *out) { float x = get_global_id(0); for (int i = 0; i < 2000; ++i) x = fma(x, 0.5f, 1.0f); out[get_global_id(0)] = x; }\n");
   const cl::Queue queue(device_);
   const cl::Buffer<float> out(device_, 1 << 16);
   const cl::Program program(device_, "work.cl");

@@ -56,11 +56,9 @@ TEST(Effects, PhasesAreTimesOfTheSameRow) {
               rounding);
   EXPECT_NEAR(effect_of({one}, "name = \"level\", quantity = \"phase-share\", phase = \"simulate\""), 0.1,
               rounding);
-  const Judged turns =
-      judged({one},
-             "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of "
-             "= 64, to = 16",
-             any);
+  const Judged turns = judged(
+      {one}, "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of = 64, to = 16",
+      any);
   EXPECT_NEAR(turns.value.value(), 3, rounding);
 }
 
@@ -116,10 +114,10 @@ TEST(Effects, RatioTrendIsTheSlopeOfTheRatio) {
       one.row.metrics["triangles"] = {triangles, "triangles"};
       rows.push_back(one);
     }
-  const Judged trend = judged(rows,
-                              "name = \"ratio-trend\", axis = \"size\", of = 2, to = 1, across = \"model\", "
-                              "along = \"triangles\"",
-                              "\"decreasing\"");
+  const Judged trend = judged(
+      rows,
+      "name = \"ratio-trend\", axis = \"size\", of = 2, to = 1, across = \"model\", along = \"triangles\"",
+      "\"decreasing\"");
   EXPECT_NEAR(trend.value.value(), -0.5, rounding);
   EXPECT_EQ(trend.verdict, Verdict::holds);
 }
@@ -149,8 +147,7 @@ TEST(Effects, OfThePapersNumbersUseItsRounding) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     rows[i].row.metrics["paper_fps"] = {rates[i], "fps", "=", rates[i] - 0.5, rates[i] + 0.5};
   const std::string effect =
-      "name = \"ratio\", axis = \"layers\", of = 64, to = 16, quantity = \"frame-rate\", "
-      "combine = \"geometric-mean\"";
+      "name = \"ratio\", axis = \"layers\", of = 64, to = 16, quantity = \"frame-rate\", combine = \"geometric-mean\"";
   const Judged all = judged(rows, effect, any);
   EXPECT_NEAR(all.paper_value.value(), std::sqrt(90.0 / 267 * 0.5), rounding);
   EXPECT_LT(all.paper_interval.low, all.paper_value.value());

@@ -70,9 +70,9 @@ TEST(Judge, SaysWhyAClaimIsUntestable) {
 TEST(Judge, RefusesTooManySeparateDecisions) {
   std::vector<FoundRow> rows;
   for (std::size_t i = 0; i <= most_effects; ++i) rows.push_back(row({{"model", std::to_string(i)}}, 10));
-  EXPECT_EQ(judged(rows, "name = \"level\"", "{ at_most = 20 }").reason,
-            "201 effects are too many for separate decisions (at most 200); narrow `where`, or combine the "
-            "effects");
+  EXPECT_EQ(
+      judged(rows, "name = \"level\"", "{ at_most = 20 }").reason,
+      "201 effects are too many for separate decisions (at most 200); narrow `where`, or combine the effects");
   EXPECT_EQ(judged(rows, "name = \"level\", combine = \"mean\"", "{ at_most = 20 }").verdict, Verdict::holds);
 }
 
@@ -138,11 +138,9 @@ TEST(Judge, PhasesInTurnsShareTheirProcess) {
   FoundRow one = row({{"model", "a"}}, 30);
   one.row.samples["quarter"].wall_ms = one.row.samples["frame"].wall_ms;
   for (double& ms : one.row.samples["quarter"].wall_ms) ms /= 3;
-  const Judged turns =
-      judged({one},
-             "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of "
-             "= 64, to = 16",
-             "{ at_most = 3.05 }", "experiment = \"own\"", "process_spread = 0.07\n");
+  const Judged turns = judged(
+      {one}, "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of = 64, to = 16",
+      "{ at_most = 3.05 }", "experiment = \"own\"", "process_spread = 0.07\n");
   EXPECT_EQ(turns.verdict, Verdict::holds);
   EXPECT_NEAR(turns.interval.high, 3, 1e-6);
 }

@@ -29,12 +29,12 @@ TEST_F(Animate, FramesOfMassSpringsAreThoseOfRender) {
   const Folder adaptive;
   const std::string grass = "grass-waving --size 64x48 --set fur.layers=8";
   EXPECT_EQ(expect_rendered_frames(folder, grass, 0.2, 10, 4), 4u);
-  EXPECT_EQ(expect_rendered_frames(
-                adaptive,
-                "grass-return --size 64x48 --set fur.layers=8 --set dynamics.solver=explicit-euler --set "
-                "dynamics.step=0.001 --set dynamics.substeps=16 --set dynamics.tolerance=0.01",
-                0.1, 20, 3),
-            3u);
+  EXPECT_EQ(
+      expect_rendered_frames(
+          adaptive,
+          "grass-return --size 64x48 --set fur.layers=8 --set dynamics.solver=explicit-euler --set dynamics.step=0.001 --set dynamics.substeps=16 --set dynamics.tolerance=0.01",
+          0.1, 20, 3),
+      3u);
 }
 
 TEST_F(Animate, FramesOfAMovingCameraAreThoseOfRender) {
@@ -47,19 +47,19 @@ TEST_F(Animate, FramesOfAMovingCameraAreThoseOfRender) {
 }
 
 TEST_F(Animate, FramesOfKeyframesThatChangeTheFurAreThoseOfRender) {
-  folder.write("fur.toml",
-               "[keyframes]\n\"dynamics.wind.strength\" = [[0.0, 0.0], [0.5, 0.02]]\n\"wetness.random\" = "
-               "[[0, 0], [0.3, 200]]\n\"camera.direction\" = [[0.2, [1, 1, 2]], [0.4, [-1, 1, 2]]]\n");
+  folder.write(
+      "fur.toml",
+      "[keyframes]\n\"dynamics.wind.strength\" = [[0.0, 0.0], [0.5, 0.02]]\n\"wetness.random\" = [[0, 0], [0.3, 200]]\n\"camera.direction\" = [[0.2, [1, 1, 2]], [0.4, [-1, 1, 2]]]\n");
   EXPECT_EQ(expect_rendered_frames(folder, "fur.toml" + small, 0, 10, 6), 6u);
 }
 
 TEST_F(Animate, FramesOfStrandsAreThoseOfRender) {
-  folder.write("strands.toml",
-               "model = \"torus-16x8\"\nstrands.layer = [{ count = 3000, length = 0.2 }, { count = 500, "
-               "length = 0.4 }]\n[keyframes]\n\"strands.fraction\" = [[0.0, 1.0], [0.5, 0.2]]\n"
-               "\"camera.direction\" = [[0.1, [1, 0, 2]], [0.5, [2, 0, 1]]]\n"
-               "\"shading.ambient\" = [[0.0, 0.2], [0.5, 0.4]]\n"
-               "\"strands.shadow\" = [[0.0, \"linear\"], [0.35, \"exp\"]]\n");
+  folder.write(
+      "strands.toml",
+      "model = \"torus-16x8\"\nstrands.layer = [{ count = 3000, length = 0.2 }, { count = 500, length = 0.4 }]\n[keyframes]\n\"strands.fraction\" = [[0.0, 1.0], [0.5, 0.2]]\n"
+      "\"camera.direction\" = [[0.1, [1, 0, 2]], [0.5, [2, 0, 1]]]\n"
+      "\"shading.ambient\" = [[0.0, 0.2], [0.5, 0.4]]\n"
+      "\"strands.shadow\" = [[0.0, \"linear\"], [0.35, \"exp\"]]\n");
   const std::string scene = "strands.toml --pipeline strands --size 64x48" + wind;
   EXPECT_EQ(expect_rendered_frames(folder, scene, 0, 10, 6), 6u);
 }
@@ -179,10 +179,11 @@ TEST_F(Animate, WithoutFfmpegAVideoIsRefusedBeforeItDraws) {
   ASSERT_EQ(run_in(folder, "ln -s \"$(command -v timeout)\" bin/timeout"), 0);
   const std::string path = fmt::format("PATH='{}'", (folder.path / "bin").string());
   for (const char* option : {"--gif a.gif", "--mp4 a.mp4"}) {
-    expect_refused(pelage(fmt::format("animate wet {} -o frames --frames 2 {}", small, option), path),
-                   fmt::format("pelage: {}: needs the program ffmpeg, which is not installed (Debian "
-                               "package: ffmpeg); frames need no ffmpeg",
-                               option));
+    expect_refused(
+        pelage(fmt::format("animate wet {} -o frames --frames 2 {}", small, option), path),
+        fmt::format(
+            "pelage: {}: needs the program ffmpeg, which is not installed (Debian package: ffmpeg); frames need no ffmpeg",
+            option));
     EXPECT_FALSE(fs::exists(folder.path / "frames"));
   }
 }

@@ -189,8 +189,7 @@ TEST_F(BadInput, Meshes) {
     folder.write(name, "no mesh\n");
   folder.write(
       "huge.ply",
-      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float "
-      "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n");
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n");
   expect_all(folder, meshes, "render -o a.png --pipeline reference --size 16x16 ", true);
   EXPECT_FALSE(std::filesystem::exists(folder.path / "a.png"));
 }

@@ -20,8 +20,7 @@ TEST(Bench, EveryKernelHasATimeAndItsCounters) {
   const Folder folder;
   const Outcome outcome = run(
       folder,
-      "--set model=torus --set image.width=96 --set image.height=64 --set fur.layers=4 --set fur.texture=64 "
-      "--set wetness.random=20 --seconds 0.01 --benchmark_format=json --benchmark_out=out.json");
+      "--set model=torus --set image.width=96 --set image.height=64 --set fur.layers=4 --set fur.texture=64 --set wetness.random=20 --seconds 0.01 --benchmark_format=json --benchmark_out=out.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto json = nlohmann::json::parse(folder.read("out.json"));
   EXPECT_TRUE(json.at("context").contains("kernel_hash"));

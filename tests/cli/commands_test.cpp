@@ -57,9 +57,7 @@ TEST_F(Commands, AnExampleSceneHasAName) {
 
 TEST_F(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   done(
-      "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
-      "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
-      "frame.h5");
+      "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump frame.h5");
   const fs::path path = folder.path / "frame.h5";
   const Datasets file = datasets_of(path);
   for (const char* name :

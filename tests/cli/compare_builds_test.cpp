@@ -16,9 +16,10 @@ TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
   fs::create_symlink(PELAGE_BINARY, folder.path / "tree/build/release/pelage");
   for (const char* part : {"experiments", "kernels", "shaders"})
     fs::create_symlink(fs::path(PELAGE_SOURCE_DIR) / part, folder.path / "tree" / part);
-  const int code = shell(folder, "python3 '" PELAGE_SOURCE_DIR
-                                 "/scripts/compare_builds.py' tree tree -o out --rounds 2 --frames 3 "
-                                 "--models torus --layers 16 --size 320x240");
+  const int code = shell(
+      folder,
+      "python3 '" PELAGE_SOURCE_DIR
+      "/scripts/compare_builds.py' tree tree -o out --rounds 2 --frames 3 --models torus --layers 16 --size 320x240");
   EXPECT_EQ(code, 0) << folder.read("stderr");
   const std::string text = folder.read("stdout");
   expect_has(text, "2 rounds; frame time new / old, and control / old\n");

@@ -45,9 +45,9 @@ TEST_F(Hostile, ExperimentsOfTooManyCasesAreRefusedBeforeTheirListIsMade) {
 // refuses the values that would need gigabytes. The values of an axis in an experiment file are not recorded.
 TEST_F(Hostile, AnAxisOfManyValuesIsNoCaseOfManyGigabytes) {
   folder.write("own.toml", of_torus("layers = [4]"));
-  expect_refused(pelage("run own.toml --dry-run --axis wetness.seed=$(seq -s, 1 20000)"),
-                 "each of the 20000 cases records the values of --set and --axis, 2178 MB in total; the "
-                 "limit is 256 MB");
+  expect_refused(
+      pelage("run own.toml --dry-run --axis wetness.seed=$(seq -s, 1 20000)"),
+      "each of the 20000 cases records the values of --set and --axis, 2178 MB in total; the limit is 256 MB");
   std::string values = "[1";
   for (int i = 2; i <= 20'000; ++i) values += ", " + std::to_string(i);
   folder.write("long.toml", of_torus("layers = [4]\nwetness.seed = " + values + "]"));

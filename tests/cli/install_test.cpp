@@ -102,18 +102,20 @@ TEST(Package, HoldsARunningProgramAndItsDependencies) {
   const std::string fields = output_of(folder, "dpkg-deb -f pelage.deb");
   expect_has(fields,
              {"Package: pelage", "libopenimageio", "ocl-icd-libopencl1", "libc6", "Section: science"});
-  output_of(folder,
-            "dpkg-deb -x pelage.deb .\ntest -f usr/lib/pelage/pelage_image_module.so || test -f "
-            "usr/lib/*/pelage/pelage_image_module.so");
+  output_of(
+      folder,
+      "dpkg-deb -x pelage.deb .\ntest -f usr/lib/pelage/pelage_image_module.so || test -f usr/lib/*/pelage/pelage_image_module.so");
   expect_has(output_of(folder, "usr/bin/pelage list"), "silva2010-table1");
   output_of(
       folder,
       "usr/bin/pelage render --model torus --size 32x24 --set fur.layers=4 --set fur.texture=32 -o a.exr");
   if (std::system("/usr/bin/python3 -c 'import pandas' 2>/dev/null") == 0)
-    expect_has(output_of(folder,
-                         "PYTHONPATH=usr/lib/python3/dist-packages /usr/bin/python3 -c 'import pelage; "
-                         "print(pelage.read(\"" PELAGE_SOURCE_DIR "/results/silva2010-table1\").shape)'"),
-               "(192, ");
+    expect_has(
+        output_of(
+            folder,
+            "PYTHONPATH=usr/lib/python3/dist-packages /usr/bin/python3 -c 'import pelage; print(pelage.read(\"" PELAGE_SOURCE_DIR
+            "/results/silva2010-table1\").shape)'"),
+        "(192, ");
 }
 
 }  // namespace

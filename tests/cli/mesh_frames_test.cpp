@@ -36,10 +36,9 @@ std::string body(double lift) {
 void write_frames(const Folder& folder) {
   for (int frame = 0; frame < 6; ++frame)
     folder.write(fmt::format("body-{}.obj", frame + 7), body(0.06 * frame));
-  folder.write("scene.toml",
-               "model = \"body-7.obj\"\nmesh.frames = 6\ndynamics.topology = \"chains\"\nimage.width = "
-               "240\nimage.height = 180\nstrands.layer = [{ count = 4000, length = 0.15 }, { count = 2000, "
-               "length = 0.3, lean = 60.0 }]\n");
+  folder.write(
+      "scene.toml",
+      "model = \"body-7.obj\"\nmesh.frames = 6\ndynamics.topology = \"chains\"\nimage.width = 240\nimage.height = 180\nstrands.layer = [{ count = 4000, length = 0.15 }, { count = 2000, length = 0.3, lean = 60.0 }]\n");
 }
 
 Picture drawn(const Folder& folder, const std::string& options) {
@@ -69,8 +68,7 @@ TEST_F(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
 TEST_F(MeshFrames, TheFirstPictureShowsTheFirstFile) {
   write_frames(folder);
   const std::string fixed =
-      "--pipeline strands --set strands.shadow=none --set camera.framed=false --set camera.eye=[2,2,4] --set "
-      "dynamics.time=";
+      "--pipeline strands --set strands.shadow=none --set camera.framed=false --set camera.eye=[2,2,4] --set dynamics.time=";
   const Picture rest = drawn(folder, fixed + "0 --set mesh.frames=1");
   EXPECT_GT(compare(drawn(folder, fixed + "0"), rest).psnr, 70);
   const Picture second = drawn(folder, fixed + "0.0167");
@@ -84,10 +82,9 @@ TEST_F(MeshFrames, TheFirstPictureShowsTheFirstFile) {
 
 TEST_F(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
   write_frames(folder);
-  folder.write("mine.toml",
-               "name = \"mine\"\n[axes]\nmodel = [\"body-7.obj\"]\nvariant = [\"strands\"]\n[scene]\nfile = "
-               "\"scene.toml\"\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
-               "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
+  folder.write(
+      "mine.toml",
+      "name = \"mine\"\n[axes]\nmodel = [\"body-7.obj\"]\nvariant = [\"strands\"]\n[scene]\nfile = \"scene.toml\"\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = 0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
   done("run mine.toml -o rows");
   done("run mine.toml --resume rows");
   folder.write("body-12.obj", body(0.5));

@@ -59,13 +59,12 @@ TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
   const std::string own = of_torus("layers = [4, 8]", length) + "[report]\n";
   folder.write("own.toml", own + "y = \"medan_ms\"\n");
   const std::string warning =
-      "own.toml: report.y names the column medan_ms, which is neither an axis nor a time of the table; did "
-      "you mean median_ms?\n";
+      "own.toml: report.y names the column medan_ms, which is neither an axis nor a time of the table; did you mean median_ms?\n";
   expect_has(pelage("run own.toml --dry-run").err, warning);
   expect_has(done("run own.toml -o second").err, warning);
-  expect_has(pelage("report second -o page").err,
-             "(did you mean median_ms?); correct the table [report] of the experiment file and give the file "
-             "with --view");
+  expect_has(
+      pelage("report second -o page").err,
+      "(did you mean median_ms?); correct the table [report] of the experiment file and give the file with --view");
   EXPECT_FALSE(fs::exists(folder.path / "page/plots/own-frame-time.json"));
   folder.write("own.toml", own + "y = \"median_ms\"\n");
   expect_lacks(done("report second -o page --view own.toml").err, "no such column");
@@ -83,17 +82,17 @@ TEST_F(Results, AnExperimentMayNameAnExampleScene) {
 }
 
 TEST_F(Results, AnExperimentIsNoScene) {
-  expect_refused(pelage("render own.toml -o x.png"),
-                 "pelage: own.toml:2: [axes] is a table of an experiment file, not of a scene; `pelage run "
-                 "own.toml` runs an experiment");
+  expect_refused(
+      pelage("render own.toml -o x.png"),
+      "pelage: own.toml:2: [axes] is a table of an experiment file, not of a scene; `pelage run own.toml` runs an experiment");
 }
 
 TEST_F(Results, ATooSmallPictureIsExplained) {
   const Outcome small = pelage("run own.toml --axis size=64x48 -o small");
   EXPECT_EQ(small.code, 1);
-  expect_has(small.err,
-             "windows against reference is 12, but must be at least 64: the picture is too small, or fur "
-             "covers too few of its pixels");
+  expect_has(
+      small.err,
+      "windows against reference is 12, but must be at least 64: the picture is too small, or fur covers too few of its pixels");
 }
 
 TEST_F(Results, LinkLoopsAndLongNamesAreBadInput) {
@@ -161,10 +160,11 @@ TEST_F(Results, AxesAreLimitedAndChecked) {
 TEST(FullDisk, ADumpEndsWithOneLine) {
   const Folder folder;
   fs::create_symlink("/dev/full", folder.path / "full.h5");
-  expect_refused(pelage(folder,
-                        "render -o a.png --pipeline reference --model torus-24x12 --size 16x16 --set "
-                        "fur.layers=2 --dump full.h5"),
-                 "cannot be written");
+  expect_refused(
+      pelage(
+          folder,
+          "render -o a.png --pipeline reference --model torus-24x12 --size 16x16 --set fur.layers=2 --dump full.h5"),
+      "cannot be written");
 }
 
 // The file system has no room for a row (2100 KiB of 2 MiB are filled), or for a picture (2000 KiB).

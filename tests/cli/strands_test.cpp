@@ -9,8 +9,7 @@ namespace pelage::cli {
 namespace {
 
 constexpr const char* few_strands =
-    "--model torus --size 240x180 --set dynamics.topology=chains --set dynamics.gravity=[0,-4,0] --set "
-    "'strands.layer=[{count=5000,length=0.15}]' ";
+    "--model torus --size 240x180 --set dynamics.topology=chains --set dynamics.gravity=[0,-4,0] --set 'strands.layer=[{count=5000,length=0.15}]' ";
 
 struct Strands : InFolder {};
 
@@ -59,12 +58,9 @@ TEST_F(Strands, ChainsAreNoMotionOfShells) {
 }
 
 TEST_F(Strands, AnExperimentTimesThemAlone) {
-  folder.write("mine.toml",
-               "name = \"mine\"\n[axes]\nmodel = [\"torus\"]\ncount = [\"few\", \"more\"]\nvariant = "
-               "[\"strands\"]\n[scene]\nimage.width = 320\nimage.height = 240\ndynamics.topology = "
-               "\"chains\"\n[count.few]\nstrands.layer = [{ count = 3000 }]\n[count.more]\nstrands.layer = "
-               "[{ count = 9000 }]\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
-               "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
+  folder.write(
+      "mine.toml",
+      "name = \"mine\"\n[axes]\nmodel = [\"torus\"]\ncount = [\"few\", \"more\"]\nvariant = [\"strands\"]\n[scene]\nimage.width = 320\nimage.height = 240\ndynamics.topology = \"chains\"\n[count.few]\nstrands.layer = [{ count = 3000 }]\n[count.more]\nstrands.layer = [{ count = 9000 }]\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = 0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
   done("run mine.toml -o rows");
   expect_has(done("export rows --csv -").out, {"simulate", "keys", "sort", "bin", "raster", "frame"});
   done("report rows -o report");

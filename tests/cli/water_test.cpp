@@ -55,9 +55,9 @@ TEST_F(WaterCommand, DrawsTheAccount) {
 }
 
 TEST_F(WaterCommand, UsesTheKeyframesOfItsTimes) {
-  folder.write("k.toml",
-               "model = 'torus'\n[wetness]\nrandom = 50\nsoak = 1.0\n[keyframes]\n'wetness.radius' = [[0, "
-               "0.01], [1, 0.02]]\n");
+  folder.write(
+      "k.toml",
+      "model = 'torus'\n[wetness]\nrandom = 50\nsoak = 1.0\n[keyframes]\n'wetness.radius' = [[0, 0.01], [1, 0.02]]\n");
   const Table table = numbers(done("water k.toml --to 1 --fps 1").out);
   ASSERT_EQ(table.size(), 2u);
   EXPECT_GT(table[1][2], 2 * table[0][2]) << "the discs are larger";

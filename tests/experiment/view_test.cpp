@@ -17,10 +17,8 @@ View view_of(const std::string& report) {
 
 TEST(View, ReadsTheTable) {
   const View view = view_of(
-      "[report]\nx = \"layers\"\ny = [\"median_ms\", \"error_rms\"]\nseries = \"model\"\npanels = "
-      "[\"size\"]\n"
-      "scale = [\"linear\", \"log\"]\nblocks = \"reading\"\ncolumns = \"size\"\nvalues = \"fps\"\nprogram = "
-      "\"scaling\"\n");
+      "[report]\nx = \"layers\"\ny = [\"median_ms\", \"error_rms\"]\nseries = \"model\"\npanels = [\"size\"]\n"
+      "scale = [\"linear\", \"log\"]\nblocks = \"reading\"\ncolumns = \"size\"\nvalues = \"fps\"\nprogram = \"scaling\"\n");
   EXPECT_EQ(view, (View{.blocks = {"reading"},
                         .columns = {"size"},
                         .values = {"fps"},

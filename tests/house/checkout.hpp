@@ -35,9 +35,9 @@ struct Checkout : test::InFolder {
   /// Runs a command in the checkout. Its messages are in the file `output`. Returns its exit code.
   int shell(const std::string& command) const {
     const int status = std::system(
-        fmt::format("cd '{}' && export PATH='{}':\"$PATH\" GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=a "
-                    "GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b && ({}) >'{}' 2>&1",
-                    path("checkout").string(), path("bin").string(), command, path("output").string())
+        fmt::format(
+            "cd '{}' && export PATH='{}':\"$PATH\" GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b && ({}) >'{}' 2>&1",
+            path("checkout").string(), path("bin").string(), command, path("output").string())
             .c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }

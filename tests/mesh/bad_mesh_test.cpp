@@ -83,8 +83,7 @@ const std::vector<Bad> cases{
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\nelement face 1\nend_header\n",
      ":4: the type 'half' is unknown"},
     {"ply_no_coordinate", "a.ply",
-     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty int y\nelement face "
-     "1\nend_header\n",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty int y\nelement face 1\nend_header\n",
      ": the vertices have no property y of type float or double"},
     {"ply_no_corners", "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\n" + coordinates +
@@ -100,8 +99,7 @@ const std::vector<Bad> cases{
          "\xff\xff",
      ": face 1: a list of -1 values does not fit into the rest of the file, which has 0 bytes"},
     {"ply_truncated", "a.ply",
-     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
-     "face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
      ": vertex 3: the file is truncated"},
     {"stl_short", "a.stl", "short",
      ": the file is not STL text, and it is shorter than the 84 bytes of a binary STL header"},
@@ -110,8 +108,7 @@ const std::vector<Bad> cases{
     {"stl_text_truncated", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
      ":5: the file ends before endsolid"},
     {"stl_text_nan", "a.stl",
-     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 nan 0\nvertex 0 1 "
-     "0\nendloop\nendfacet\n"
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 nan 0\nvertex 0 1 0\nendloop\nendfacet\n"
      "endsolid\n",
      ":5: found 'nan', but a vertex needs three finite numbers"},
 };
@@ -164,11 +161,7 @@ TEST(BadMesh, what_is_no_file_is_said_so) {
 }
 
 const std::string nasty =
-    "ALSTOM_TEST4 P cheese-box corner_tris_with_hole cross_quad cube-ouvert cube_poly "
-    "degtri_sliding double-torus-3-holes fold handle hedra_open hole in mech-holes-shark "
-    "mesh_with_colors patch-01 pinion_small plane prim pyramid quad quads_to_stitch quint_tris "
-    "reference_tetrahedron star tet-shuffled tetra_intersected_by_triangle triangle "
-    "triangular_hole u";
+    "ALSTOM_TEST4 P cheese-box corner_tris_with_hole cross_quad cube-ouvert cube_poly degtri_sliding double-torus-3-holes fold handle hedra_open hole in mech-holes-shark mesh_with_colors patch-01 pinion_small plane prim pyramid quad quads_to_stitch quint_tris reference_tetrahedron star tet-shuffled tetra_intersected_by_triangle triangle triangular_hole u";
 
 // All faulty meshes of CGAL's examples: load_model() prepares each mesh, or throws an error of one line.
 TEST(NastyMesh, is_prepared_or_refused_and_never_crashes) {

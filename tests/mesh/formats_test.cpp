@@ -138,9 +138,9 @@ TEST_F(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matt
 }
 
 TEST_F(Formats, an_obj_keeps_its_own_map_when_asked_to) {
-  const std::string file = folder.write("quad.obj",
-                                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt "
-                                        "0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n");
+  const std::string file = folder.write(
+      "quad.obj",
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt 0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n");
   const auto kept = load_model(file, fresh({}, true));
   ASSERT_EQ(kept->uv.size(), 4u);
   for (const glm::vec2 wanted :
@@ -155,8 +155,7 @@ TEST_F(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
     return test::refusal([&] { load_model(name, fresh({}, true)); });
   };
   const std::string wanted =
-      " has no UV map of its own, so no UV map can be kept; leave out --keep-uv, or give fur.uv = "
-      "\"computed\"";
+      " has no UV map of its own, so no UV map can be kept; leave out --keep-uv, or give fur.uv = \"computed\"";
   const std::string off = folder.write("octa.off", "OFF\n6 8 0\n" + corners("") + faces("3", 0));
   EXPECT_EQ(message(off), off + ":" + wanted);
   const std::string obj = folder.write("octa.obj", corners("v ") + faces("f", 1));

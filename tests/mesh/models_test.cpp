@@ -112,9 +112,9 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
   EXPECT_EQ(message(head + "rotation = [1, 2]\n"), "models.toml:6: rotation must be three numbers");
   EXPECT_EQ(message(head + "colour = 1\n"), "models.toml:6: colour must be removed: unknown key");
   EXPECT_EQ(message(head + "published.sticks = [4, 2]\n"), "accepted");
-  EXPECT_EQ(message(head + "published.sticks = [4, -2]\n"),
-            "models.toml:6: published must be a table with entries TOPOLOGY = [number of masses, number of "
-            "springs]");
+  EXPECT_EQ(
+      message(head + "published.sticks = [4, -2]\n"),
+      "models.toml:6: published must be a table with entries TOPOLOGY = [number of masses, number of springs]");
   EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be given as a string");
   EXPECT_EQ(message("x = 1\n"), "models.toml: the file has no [[model]]");
   std::string dotted = "a";

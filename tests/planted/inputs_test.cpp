@@ -73,9 +73,9 @@ TEST_F(Planted, RowsOfAnotherScene) {
   EXPECT_EQ(kept_apart({path("results"), path("second")}), std::vector<std::string>{"scene"});
   for (const Cell& cell : cells_in({path("results"), path("second")}))
     EXPECT_EQ(cell.timings.processes.size(), 1U);
-  expect_has(done("report results second -o page").err,
-             "2 of 4 rows have the same names (case, variant, device and so on) as other rows but measured "
-             "different inputs (scene); their files are in the folder inputs-2");
+  expect_has(
+      done("report results second -o page").err,
+      "2 of 4 rows have the same names (case, variant, device and so on) as other rows but measured different inputs (scene); their files are in the folder inputs-2");
   for (const char* table : {"own", "all-phases"})
     EXPECT_TRUE(fs::exists(path("page/inputs-2/tables") / (std::string(table) + ".csv")));
 }

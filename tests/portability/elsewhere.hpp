@@ -65,8 +65,7 @@ struct Elsewhere : test::Folder {
                   const std::string& variables = "") const {
     const std::string said = (path / "said").string();
     const std::string command = fmt::format(
-        "ASAN_OPTIONS=detect_leaks=0 {} {} PELAGE_DEVICE='{}' PELAGE_TEST_FOLDER='{}' timeout {} '{}' "
-        "--gtest_filter='{}' --gtest_also_run_disabled_tests >'{}' 2>&1",
+        "ASAN_OPTIONS=detect_leaks=0 {} {} PELAGE_DEVICE='{}' PELAGE_TEST_FOLDER='{}' timeout {} '{}' --gtest_filter='{}' --gtest_also_run_disabled_tests >'{}' 2>&1",
         place.environment, variables, place.platform, path.string(), seconds,
         std::filesystem::read_symlink("/proc/self/exe").string(), test, said);
     const int status = std::system(command.c_str());

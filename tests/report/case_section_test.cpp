@@ -114,10 +114,8 @@ TEST(ViewCheck, NamesAMisspeltAxisOrTime) {
   EXPECT_EQ(
       view_warnings({.x = "layer", .y = {"medan_ms"}, .series = {"mood"}}, axes),
       (Warnings{
-          "report.x names the column layer, which is neither an axis nor a time of the table; did you "
-          "mean layers?",
-          "report.y names the column medan_ms, which is neither an axis nor a time of the table; did you "
-          "mean median_ms?"}));
+          "report.x names the column layer, which is neither an axis nor a time of the table; did you mean layers?",
+          "report.y names the column medan_ms, which is neither an axis nor a time of the table; did you mean median_ms?"}));
   // The names of phases and metrics are not known before the run.
   EXPECT_EQ(view_warnings({.x = "triangles", .y = {"simulate_ms", "error_rms"}, .panels = {"mood"}}, axes),
             Warnings{});

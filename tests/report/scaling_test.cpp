@@ -61,9 +61,9 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
   const std::vector<Cell> shown = in_turns_cells(all);
   ASSERT_EQ(shown.size(), 1u);
   test::expect_has(in_turns_csv(shown), "device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4");
-  test::expect_has(in_turns_text(shown),
-                   "A frame with twice the layers takes at most 1.80 times as long (limit: 2.05); "
-                   "a frame with four times the layers takes at most 3.20");
+  test::expect_has(
+      in_turns_text(shown),
+      "A frame with twice the layers takes at most 1.80 times as long (limit: 2.05); a frame with four times the layers takes at most 3.20");
   EXPECT_TRUE(in_turns_text({}).empty());
 }
 

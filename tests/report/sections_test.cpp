@@ -226,16 +226,16 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
   // The geometric mean with curls is (4 * 9^7)^(1/8). The cost of curls is 10/8 in OpenCL and 10/8 *
   // 1.5^(7/8) in OpenGL.
   for (const std::string& text : {text_of(table), html_of(table)})
-    for (const std::string& part :
-         {std::string("9.00 [8.00, 10.00]"),
-          fmt::format("the geometric mean {:.2f} over 32 of 32 cells (no interval, because that needs three "
-                      "separate runs (--repeat 3)) and the minimum 4.00 (torus, 16 layers, 800x600)",
-                      std::pow(4 * std::pow(9.0, 7), 1.0 / 8)),
-          fmt::format("take 1.25 times the time of plain shells in OpenCL, and {:.2f} times in OpenGL "
-                      "(geometric means "
-                      "of 32 cells)",
-                      10.0 / 8 * std::pow(1.5, 7.0 / 8)),
-          std::string("softpipe")})
+    for (
+        const std::string& part :
+        {std::string("9.00 [8.00, 10.00]"),
+         fmt::format(
+             "the geometric mean {:.2f} over 32 of 32 cells (no interval, because that needs three separate runs (--repeat 3)) and the minimum 4.00 (torus, 16 layers, 800x600)",
+             std::pow(4 * std::pow(9.0, 7), 1.0 / 8)),
+         fmt::format(
+             "take 1.25 times the time of plain shells in OpenCL, and {:.2f} times in OpenGL (geometric means of 32 cells)",
+             10.0 / 8 * std::pow(1.5, 7.0 / 8)),
+         std::string("softpipe")})
       test::expect_has(text, part);
   ASSERT_EQ(section.plots.size(), 1u);
   EXPECT_EQ(section.plots[0].y, "opengl_ratio");

@@ -19,9 +19,7 @@ const std::vector<test::Bad> bad_keyframes = {
     {"[keyframes]\n\"shading.light\" = [[0, 1]]", "s.toml:2: keyframes.\"shading.light\": no such key"},
     {"keyframes = 3", "s.toml:1: keyframes: is a whole number; give a TOML table [keyframes]"},
     {"[keyframes]\n\"strands.fraction\" = 0.5",
-     "s.toml:2: keyframes.\"strands.fraction\": is a number; give pairs [time in s, value], where the value "
-     "is "
-     "0.001 to 1"},
+     "s.toml:2: keyframes.\"strands.fraction\": is a number; give pairs [time in s, value], where the value is 0.001 to 1"},
     {"[keyframes]\n\"strands.fraction\" = []", "has 0 keyframes; give 1 to 1000"},
     {"[keyframes]\n\"strands.fraction\" = [0, 1]",
      "keyframes.\"strands.fraction\"[1]: is a whole number; give pairs"},
@@ -184,8 +182,7 @@ TEST(Keyframes, TracksOfAProgramAreChecked) {
 }
 
 const char* const moving =
-    "[dynamics]\ntime = 7.0\n[keyframes]\n\"fur.length\" = [[1.0, 0.1], [3.0, 0.2]]\n\"dynamics.time\" = "
-    "[[0, 5.0]]\n";
+    "[dynamics]\ntime = 7.0\n[keyframes]\n\"fur.length\" = [[1.0, 0.1], [3.0, 0.2]]\n\"dynamics.time\" = [[0, 5.0]]\n";
 
 bool none(std::string_view) {
   return false;

@@ -74,8 +74,7 @@ const std::vector<test::Bad> bad_scenes = {
     {"dynamics.step = 0", "dynamics.step: 0 is out of range"},
     {"dynamics.step = 0.5", "dynamics.step: 0.5 s is unstable"},
     {"dynamics.topology = 'grass'",
-     "dynamics.topology: \"grass\" is not known; give \"silva\", \"chains\", "
-     "\"sticks\""},
+     "dynamics.topology: \"grass\" is not known; give \"silva\", \"chains\", \"sticks\""},
     {"dynamics.topology = 'sticks'\nfur.binding = 'separate'",
      "fur.binding: must be \"shared\" if dynamics.topology is \"sticks\""},
     {"dynamics.topology = 'prisms'\ndynamics.drag = 0\ndynamics.wind.strength = 0.01",

@@ -219,11 +219,7 @@ std::vector<std::string> members() {
     file << std::ifstream(fs::path(PELAGE_SOURCE_DIR) / name).rdbuf();
   std::map<std::string, std::string> tables;
   std::istringstream pairs(
-      "FurScene fur. CurlScene curl. WetnessScene wetness. ClumpScene clump. SoakedScene soaked. "
-      "BlendScene blend. WindScene dynamics.wind. DynamicsScene dynamics. ShadingScene shading. "
-      "CoatScene coat. StrandsScene strands. ChainScene strands.chain. CameraScene camera. "
-      "ImageScene image. SpringsScene dynamics.springs. MotionScene dynamics.motion. PokeScene "
-      "dynamics.poke. MeshScene mesh. ContactMeshScene contact.mesh_ ContactMotion contact.mesh_");
+      "FurScene fur. CurlScene curl. WetnessScene wetness. ClumpScene clump. SoakedScene soaked. BlendScene blend. WindScene dynamics.wind. DynamicsScene dynamics. ShadingScene shading. CoatScene coat. StrandsScene strands. ChainScene strands.chain. CameraScene camera. ImageScene image. SpringsScene dynamics.springs. MotionScene dynamics.motion. PokeScene dynamics.poke. MeshScene mesh. ContactMeshScene contact.mesh_ ContactMotion contact.mesh_");
   for (std::string type, table; pairs >> type >> table;) tables[type] = table;
   const std::regex opening(R"(^struct (\w+) \{)"), member(R"(^  [\w:]+ ((\w+, )*\w+)( = [^;]+|\{[^;]*\})?;)"),
       word(R"(\w+)");

@@ -21,11 +21,11 @@ inline UnderOclgrind under_oclgrind(const std::string& filter, const std::string
   const test::Folder folder;
   const std::string place = folder.path.string();
   UnderOclgrind found;
-  found.status = std::system(fmt::format("{} oclgrind --check-api {} --log '{}/log' '{}' --gtest_filter='{}' "
-                                         "--gtest_also_run_disabled_tests >'{}/out' 2>&1",
-                                         environment, checks, place,
-                                         fs::read_symlink("/proc/self/exe").string(), filter, place)
-                                 .c_str());
+  found.status = std::system(
+      fmt::format(
+          "{} oclgrind --check-api {} --log '{}/log' '{}' --gtest_filter='{}' --gtest_also_run_disabled_tests >'{}/out' 2>&1",
+          environment, checks, place, fs::read_symlink("/proc/self/exe").string(), filter, place)
+          .c_str());
   found.log = folder.read("log");
   found.printed = folder.read("out");
   return found;

@@ -16,9 +16,7 @@ void need_key_light_only(const StrandInput& input) {
   if (!input.look.fills.empty() || s.rim != glm::vec3(0) || s.skin_shadow != 0 || s.shadow != "none" ||
       s.skin)
     throw CannotDraw(
-        "the OpenGL baseline draws strands with a key light and ambient light only: give one "
-        "[[shading.light]], and set strands.skin_shadow = 0, strands.rim = [0, 0, 0], strands.shadow = "
-        "\"none\", strands.skin = false");
+        "the OpenGL baseline draws strands with a key light and ambient light only: give one [[shading.light]], and set strands.skin_shadow = 0, strands.rim = [0, 0, 0], strands.shadow = \"none\", strands.skin = false");
 }
 
 class StrandsInOpenGl : public InOpenGl<StrandInput, RibbonOptions> {
