@@ -10,15 +10,10 @@ install(DIRECTORY harness/page/web/ DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage/
 install(FILES README.md ARTIFACT.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN pelage.1 EXCLUDE)
 install(DIRECTORY python/pelage DESTINATION ${PELAGE_PYTHON_DIR} PATTERN __pycache__ EXCLUDE)
-# The built program writes its completion script for bash and the commands of its manual page, so that both contain
-# exactly the options of this build.
-install(CODE "execute_process(COMMAND \"$<TARGET_FILE:pelage>\" completion bash
-                OUTPUT_FILE \"${PROJECT_BINARY_DIR}/pelage.bash\" COMMAND_ERROR_IS_FATAL ANY)
-              execute_process(COMMAND \"$<TARGET_FILE:pelage>\" manual \"${PROJECT_SOURCE_DIR}/docs/pelage.1\"
+# The built program writes the commands of its manual page, so that they are exactly those of this build.
+install(CODE "execute_process(COMMAND \"$<TARGET_FILE:pelage>\" manual \"${PROJECT_SOURCE_DIR}/docs/pelage.1\"
                 OUTPUT_FILE \"${PROJECT_BINARY_DIR}/pelage.1\" COMMAND_ERROR_IS_FATAL ANY)")
 install(FILES ${PROJECT_BINARY_DIR}/pelage.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${PROJECT_BINARY_DIR}/pelage.bash RENAME pelage
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The pelage maintainers")

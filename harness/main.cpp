@@ -63,16 +63,16 @@ int main(int argc, char** argv) {
       ->type_name("DIR");
   app.fallthrough();
   Chosen chosen;
-  for (AddCommand* add :
-       {add_devices, add_scene,   add_render, add_animate, add_diagram,    add_mesh,  add_topology,
-        add_water,   add_check,   add_tune,   add_profile, add_list,       add_run,   add_merge,
-        add_export,  add_compare, add_report, add_claims,  add_completion, add_manual})
+  for (AddCommand* add : {add_devices, add_scene, add_render, add_animate, add_diagram, add_mesh,
+                          add_topology, add_water, add_check, add_tune, add_profile, add_list, add_run,
+                          add_merge, add_export, add_compare, add_report, add_claims, add_manual})
     add(app, chosen);
   app.require_subcommand(0, 1);
 
   try {
     const std::string_view word = argc > 1 ? argv[1] : "";
     if (word == "aa-test") throw InputError("aa-test is a script now: scripts/aa_test.py of the source tree");
+    if (word == "completion") throw InputError("completion is gone; remove it from the shell's start file");
     if (word == "roofline") throw InputError("roofline is now: pelage profile, which counts no operations");
     app.parse(argc, argv);
     if (!kernels.empty()) cl::set_kernel_folder(kernels);

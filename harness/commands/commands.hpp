@@ -58,11 +58,10 @@ inline void add_results_option(CLI::App& command, std::vector<std::string>& resu
   add_value(command, "results", results, "RESULTS", "Folders with results, or journal files")->required();
 }
 
-// The functions that add the commands. `app` must exist as long as the chosen function of add_completion()
-// and add_manual().
+// The functions that add the commands. `app` must exist as long as the chosen function of add_manual().
 using AddCommand = void(CLI::App& app, Chosen& chosen);
 AddCommand add_devices, add_scene, add_render, add_animate, add_diagram, add_mesh, add_topology, add_water,
     add_check, add_tune, add_profile, add_list, add_run, add_merge, add_export, add_compare, add_report,
-    add_claims, add_completion, add_manual;
+    add_claims, add_manual;
 
 }  // namespace pelage

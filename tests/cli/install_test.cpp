@@ -70,30 +70,6 @@ TEST_F(Install, TheManualAndTheDocumentsAreThere) {
     EXPECT_TRUE(fs::exists(folder->path / "inst" / file)) << file;
 }
 
-/// Returns the words that bash completion offers for the last word of the command line `line`.
-std::string completed(const std::string& line) {
-  const std::string words = line.ends_with(' ') ? line + "''" : line;
-  return output_of(
-      *Install::folder,
-      "compopt() { :; }\n. inst/share/bash-completion/completions/pelage\nCOMP_WORDS=(" + words +
-          ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_pelage || true\nprintf ' %s' \"${COMPREPLY[@]}\" ' '");
-}
-
-TEST_F(Install, BashCompletesCommandsOptionsAndValues) {
-  EXPECT_TRUE(has(completed("pelage re"), " render  report ") ||
-              has(completed("pelage re"), " render report "))
-      << completed("pelage re");
-  expect_has(completed("pelage run --pre"), " --preset ");
-  expect_has(completed("pelage run --preset sm"), " smoke ");
-  EXPECT_TRUE(has(completed("pelage run --preset = sm"), " smoke ")) << "bash splits words at =";
-  expect_has(completed("pelage run silva"), " silva2010-table1 ");
-  expect_has(completed("pelage mesh --components "), " all largest ");
-  expect_has(completed("pelage render --set fur.le"), " fur.length= ");
-  expect_has(completed("pelage render --model bu"), " bunny ");
-  expect_lacks(completed("pelage list --"), "--resume");
-  EXPECT_EQ(completed("pelage render -o pict"), "  ");  // no words; bash then completes file names
-}
-
 TEST(Package, HoldsARunningProgramAndItsDependencies) {
   if (std::system("command -v dpkg-shlibdeps >/dev/null") != 0)
     GTEST_SKIP() << "cpack -G DEB needs dpkg-shlibdeps (Debian's package dpkg-dev)";
