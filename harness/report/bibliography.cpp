@@ -56,7 +56,7 @@ const std::map<std::string, std::string>& papers() {
 std::string bibliography_of(const std::vector<FoundRow>& rows) {
   const BuildInfo& build = build_info();
   std::string text = fmt::format(
-      "@software{{pelage,\n  title   = {{pelage: an OpenCL research benchmark harness for real-time layered fur}},\n"
+      "@software{{pelage,\n  title   = {{pelage: an OpenCL research benchmark harness for real-time fur and grass}},\n"
       "  version = {{{}}},\n  note    = {{revision {}}}\n}}\n",
       build.version, build.revision);
   std::set<std::string> experiments, keys;

@@ -55,7 +55,7 @@ struct FarSide {
 };
 
 /// Returns how the picture changes if the side that the eye does not see gets wet.
-FarSide change_by_the_far_side(const char* faces, const char* mapping) {
+FarSide change_by_the_far_side(const char* faces, const std::string& mapping) {
   const auto near = torus_wet_in_front(faces, false), both = torus_wet_in_front(faces, true);
   EXPECT_LT(near->droplets.size() + 20, both->droplets.size());
   const Picture first = drawn_by_device(near, mapping), second = drawn_by_device(both, mapping);
@@ -77,7 +77,7 @@ FarSide change_by_the_far_side(const char* faces, const char* mapping) {
   return {change.rim / double(rim), change.inside / double(inside)};
 }
 
-struct FacesOf : testing::TestWithParam<const char*> {};
+struct FacesOf : testing::TestWithParam<std::string> {};
 
 TEST_P(FacesOf, TheFarSideDoesNotCoverTheNearSide) {
   const FarSide all = change_by_the_far_side("all", GetParam());
@@ -148,7 +148,7 @@ TEST(Facing, ATurningBunnyPopsNoMoreThanInTheMeshsOrder) {
   EXPECT_LE(both.worst, all.worst);
 }
 
-INSTANTIATE_TEST_SUITE_P(Device, FacesOf, testing::Values("tile", "pixel", "group"),
+INSTANTIATE_TEST_SUITE_P(Device, FacesOf, testing::ValuesIn(mappings()),
                          [](const auto& given) { return std::string(given.param); });
 
 // Tests blend.order "depth": the fragments of a pixel are blended by depth (docs/shells.md, section 5).
