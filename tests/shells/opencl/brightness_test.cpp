@@ -17,10 +17,6 @@ struct Look {
   std::vector<const char*> with_substeps;  ///< additional settings for 16 layers with four sub-steps
 };
 
-void PrintTo(const Look& look, std::ostream* out) {
-  *out << look.name;
-}
-
 Scene scene_of(const Look& look, int layers) {
   Scene scene =
       read_scene(std::filesystem::path(PELAGE_SOURCE_DIR) / "examples" / (std::string(look.name) + ".toml"));
@@ -31,7 +27,7 @@ Scene scene_of(const Look& look, int layers) {
   return scene;
 }
 
-double brightness(const Picture& picture, const Picture& mask) {
+double mean_brightness(const Picture& picture, const Picture& mask) {
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
@@ -59,9 +55,9 @@ TEST_P(Looks, SixteenLayersAreAsBrightAsSixtyFour) {
     return shells.read();
   };
   const Picture sixty_four = drawn(64, 1);
-  const double many = brightness(sixty_four, sixty_four);
+  const double many = mean_brightness(sixty_four, sixty_four);
   for (const int substeps : {1, 4}) {
-    const double few = brightness(drawn(16, substeps), sixty_four);
+    const double few = mean_brightness(drawn(16, substeps), sixty_four);
     EXPECT_NEAR(few / many, 1.0, 0.025) << many << " and " << few << " with " << substeps << " sub-steps";
   }
 }
