@@ -138,7 +138,7 @@ TEST_F(FrameFolders, KilledAndContinuedItHoldsTheSameFiles) {
     draw(name);
     for (const auto& entry : fs::directory_iterator(place / "whole")) {
       const std::string file = entry.path().filename().string();
-      EXPECT_EQ(folder.read(name + "/" + file), folder.read("whole/" + file)) << name << " " << file;
+      EXPECT_EQ(folder.read(fs::path(name) / file), folder.read("whole/" + file)) << name << " " << file;
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(place / name), fs::directory_iterator()), frames + 1);
   }

@@ -163,7 +163,7 @@ TEST(SweepUsage, BadUsageIsExitTwoAndLeavesNothing) {
         "silva2010-table1 --device 'no such device'", "silva2010-table1 --tuning /no/such/file",
         "silva2010-table1 --model /no/such/mesh.obj", "silva2010-table1 silva2010-table1", ""}) {
     const std::string preset = rest.find("--preset") == std::string::npos ? "--preset smoke " : "";
-    EXPECT_EQ(cli::pelage(folder, "run -o out " + preset + rest).code, 2) << rest;
+    EXPECT_EQ(cli::pelage(folder, fmt::format("run -o out {}{}", preset, rest)).code, 2) << rest;
     EXPECT_FALSE(fs::exists(folder.path / "out")) << rest;
   }
   for (const std::string time : {"90", "90s", "5m", "1.5h", "0", "123456789.123456789h"})

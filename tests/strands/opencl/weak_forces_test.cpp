@@ -109,6 +109,7 @@ void expect_motion_of_reference(const WeakForce& force, const States& states, bo
   const std::vector<Chain> chains = chains_under(force);
   const ChainDynamics d = dynamics_under(force);
   std::vector<reference::State> exact;
+  exact.reserve(chains.size());
   for (const Chain& chain : chains) exact.push_back(reference::at_rest(chain));
   double worst = 0, share = 0, moved = 0;
   int touching = 0;
