@@ -16,7 +16,7 @@ import re
 import subprocess
 import sys
 
-from mutants import ROOT, Mistake, build, planted, run_tests, take_signals
+from mutants import ROOT, Mistake, build, planted, run, run_tests, take_signals
 
 # The test programs of each folder: its own first, then those of the folders that use it.
 TESTS = {
@@ -99,11 +99,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except Mistake as mistake:
-        print(f"draw_mutants.py: {mistake}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        print("interrupted; every file is as it was", file=sys.stderr)
-        sys.exit(130)
+    run(main)

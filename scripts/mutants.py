@@ -177,12 +177,17 @@ def main():
     return 1 if bad else 0
 
 
-if __name__ == "__main__":
+def run(main):
+    """Exits with the status of main(), or with that of the Mistake or the interruption that ends it."""
     try:
         sys.exit(main())
     except Mistake as mistake:
-        print(f"mutants.py: {mistake}", file=sys.stderr)
+        print(f"{pathlib.Path(sys.argv[0]).name}: {mistake}", file=sys.stderr)
         sys.exit(2)
     except KeyboardInterrupt:
         print("interrupted; every file is as it was", file=sys.stderr)
         sys.exit(130)
+
+
+if __name__ == "__main__":
+    run(main)

@@ -111,11 +111,9 @@ void add_check(CLI::App& app, Chosen& chosen) {
       "Stages to compare: simulate, mask, picture and mappings of shells, chains and strands of fur of single strands (default: all)")
       ->check(CLI::IsMember(all_stages()));
   add_device_option(command, options.device);
-  add_value(
-      command, "--mapping", options.mapping, "NAME",
-      "Draw with this mapping only (default: with every mapping that suits the device, its own default first): " +
-          mappings_help())
-      ->check(CLI::IsMember(mappings()));
+  add_mapping_option(
+      command, options.mapping,
+      "Draw with this mapping only (default: with every mapping that suits the device, its own default first)");
   add_value(command, "--filter", options.filter, "REGEX",
             "Use only the cases whose names match this regular expression, for instance torus");
   command.add_flag(

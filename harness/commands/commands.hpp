@@ -49,6 +49,14 @@ inline void add_device_option(CLI::App& command, std::string& device) {
   add_value(command, "--device", device, "DEVICE", "Device to use: PLATFORM:INDEX, or part of its name");
 }
 
+/// `purpose`: what the mapping is for, and the default.
+void add_mapping_option(CLI::App& command, std::string& mapping, const std::string& purpose);
+
+inline void add_tuning_option(CLI::App& command, std::string& tuning) {
+  add_value(command, "--tuning", tuning, "defaults|FILE",
+            "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote");
+}
+
 inline void add_filter_option(CLI::App& command, std::string& filter) {
   add_value(command, "--filter", filter, "REGEX",
             "Use only the cases whose names match this regular expression");

@@ -11,7 +11,6 @@
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
 #include "harness/measure/provenance.hpp"
-#include "harness/shells/opencl/shells.hpp"
 
 namespace pelage {
 namespace {
@@ -104,13 +103,10 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  add_value(
-      command, "--mapping", options.mapping, "NAME",
-      "Mapping of pixels to work-items if the experiment names none (default: depends on the device): " +
-          mappings_help())
-      ->check(CLI::IsMember(mappings()));
-  add_value(command, "--tuning", options.tuning, "defaults|FILE",
-            "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote");
+  add_mapping_option(
+      command, options.mapping,
+      "Mapping of pixels to work-items if the experiment names none (default: depends on the device)");
+  add_tuning_option(command, options.tuning);
   const std::map<std::string, double> seconds{{"s", 1}, {"m", 60}, {"h", 3600}};
   command
       .add_option("--budget", options.budget_s,

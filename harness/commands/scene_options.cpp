@@ -63,6 +63,11 @@ Scene case_scene(const std::string& experiment_name, const std::string& name) {
 
 }  // namespace
 
+void add_mapping_option(CLI::App& command, std::string& mapping, const std::string& purpose) {
+  add_value(command, "--mapping", mapping, "NAME", purpose + ": " + mappings_help())
+      ->check(CLI::IsMember(mappings()));
+}
+
 void add_up_option(CLI::App& command, std::string& up) {
   command
       .add_option(
@@ -140,11 +145,9 @@ void add_renderer_options(CLI::App& command, RendererOptions& options) {
       ->check(CLI::IsMember(choices_of("pipeline")));
   add_value(command, "--opengl", options.opengl, "OPTIONS",
             "Implementation choices of the OpenGL baseline: name=value,name=value (docs/baselines.md)");
-  add_value(
-      command, "--mapping", options.mapping, "NAME",
-      "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the device; strands have tile and group): " +
-          mappings_help())
-      ->check(CLI::IsMember(mappings()));
+  add_mapping_option(
+      command, options.mapping,
+      "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the device; strands have tile and group)");
   add_device_option(command, options.device);
   command
       .add_option(

@@ -20,7 +20,6 @@
 #include "harness/record/results_folder.hpp"
 #include "harness/report/plot_spec.hpp"
 #include "harness/report/profile.hpp"
-#include "harness/shells/opencl/shells.hpp"
 #include "harness/system/system.hpp"
 #include "harness/tuning/tuning.hpp"
 #include "harness/tuning/tuning_search.hpp"
@@ -288,11 +287,9 @@ void add_profile(CLI::App& app, Chosen& chosen) {
   add_value(command, "--preset", options.preset, "NAME", "Preset of the experiment; its cases are timed");
   add_filter_option(command, options.filter);
   add_device_option(command, options.device);
-  add_value(command, "--mapping", options.mapping, "NAME",
-            "Mapping of pixels to work-items (default: depends on the device): " + mappings_help())
-      ->check(CLI::IsMember(mappings()));
-  add_value(command, "--tuning", options.tuning, "defaults|FILE",
-            "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote");
+  add_mapping_option(command, options.mapping,
+                     "Mapping of pixels to work-items (default: depends on the device)");
+  add_tuning_option(command, options.tuning);
   add_value(command, "--frames", options.frames, "N",
             "Number of timed frames; the median of their times is reported")
       ->check(CLI::Range(1, 10000));
