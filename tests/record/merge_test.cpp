@@ -245,13 +245,13 @@ TEST_F(Merging, ARowCannotLeaveTheFolder) {
 TEST_F(Merging, TheRecordedRowsComeThroughUnchanged) {
   std::size_t journals = 0;
   for (const fs::path& journal : journals_of({PELAGE_SOURCE_DIR "/results"})) {
-    const fs::path out = folder.path / std::to_string(journals++);
+    const fs::path merged = folder.path / std::to_string(journals++);
     const std::vector<FoundRow> rows = read_results({journal.string()});
-    write_merge(plan_merge(rows, false), out);
+    write_merge(plan_merge(rows, false), merged);
     std::istringstream recorded(text_of(journal));
     std::string expected;
     for (std::string line; std::getline(recorded, line);) expected += to_line(row_from_line(line)) + "\n";
-    EXPECT_EQ(text_of(out / rows.front().row.experiment / journal.filename()), expected) << journal;
+    EXPECT_EQ(text_of(merged / rows.front().row.experiment / journal.filename()), expected) << journal;
   }
   EXPECT_GE(journals, 5u);
 }
