@@ -8,6 +8,10 @@
 #include <cstdint>
 #include <cstring>
 
+#ifdef __clang__  // The truth values of kernels are vectors, whose operators are & and |.
+#pragma clang diagnostic ignored "-Wbitwise-instead-of-logical"
+#endif
+
 namespace pelage::in_double {
 
 using scalar = double;

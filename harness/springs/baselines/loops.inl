@@ -2,6 +2,9 @@
 // with different flags. The loops over sticks and over triangles run all steps for one tile of 256 sticks or
 // triangles before they start the next tile, so that the tile's state stays in the first-level cache. Several
 // threads divide the tiles among themselves.
+#ifdef __clang__  // The pragmas that start with GCC are for GCC only.
+#pragma clang diagnostic ignored "-Wunknown-pragmas"
+#endif
 
 constexpr int tile = 256;
 
