@@ -46,10 +46,9 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
                       diverged_at, first);                                                                            \
     }                                                                                                                 \
   }                                                                                                                   \
-  __kernel void name(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,                \
-                     TABLE(scalar) sides, __global scalar *offset, __global scalar *speed,                            \
-                     __global int *diverged_at, __global int *first) {                                                \
-    int item = (int)get_global_id(0);                                                                                 \
+  CALLED void name##_units(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,          \
+                           TABLE(scalar) sides, __global scalar *offset, __global scalar *speed,                      \
+                           __global int *diverged_at, __global int *first, int item) {                                \
     TABLE(Moment) moment = moments + p.first_moment;                                                                  \
     for (int u = first_unit(p, item); u < last_unit(p, item); ++u) {                                                  \
       Block block = load_block(p, sites, push, sides, u);                                                             \
@@ -65,6 +64,11 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
         store3(a.top[c].v, speed, place_of(u, CORNERS, c), 3, 0);                                                     \
       }                                                                                                               \
     }                                                                                                                 \
+  }                                                                                                                   \
+  __kernel void name(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,                \
+                     TABLE(scalar) sides, __global scalar *offset, __global scalar *speed,                            \
+                     __global int *diverged_at, __global int *first) {                                                \
+    name##_units(p, moments, sites, push, sides, offset, speed, diverged_at, first, (int)get_global_id(0));           \
   }
 
 FRAME(explicit_euler_frame, explicit_euler(p, moment[2 * i], block, a))

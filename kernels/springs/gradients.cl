@@ -103,7 +103,7 @@ INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(e
 // bases. The vector from one top mass to another is computed from differences of roots and differences of `reach`.
 // The difference of two positions in R would have a rounding error of 6e-8 R, which is too large for stiff springs
 // between light masses (docs/springs.md, section Solvers).
-INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
+CALLED void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) root, TABLE(scalar) reach, TABLE(scalar) speed, TABLE(scalar) x,
                          __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
@@ -168,7 +168,7 @@ __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Momen
 }
 
 // Computes the product A d, and the sum d.Ad of each chunk.
-INLINE void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) start, TABLE(int) neighbour,
+CALLED void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) start, TABLE(int) neighbour,
                           TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d, __global scalar *product_d,
                           __global total *sums) {
   totals sum = 0;
@@ -201,7 +201,7 @@ static inline real alpha_of(__global const total *sums, int chunks, int odd) {
 }
 
 // Computes the new residual r -= alpha A d, and the product z of `inverse` and r. Stores z in the buffer that held A d.
-INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) inverse,
+CALLED void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) inverse,
                           __global scalar *product_d, __global scalar *r, __global total *sums) {
   real alpha = alpha_of(sums, chunks, odd);
   totals rz = 0, rr = 0;
@@ -223,7 +223,7 @@ __kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(sca
 }
 
 // Computes x += alpha d, and then the next search direction d = z + beta d. beta is the new r.z divided by the old r.z.
-INLINE void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) z, __global scalar *d,
+CALLED void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) z, __global scalar *d,
                        __global scalar *x, __global const total *sums) {
   real alpha = alpha_of(sums, chunks, odd);
   total before = sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks);
@@ -243,7 +243,7 @@ __kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar
 
 // Computes the new velocity v += x, and then the new position q += h v, where h is the time step. Stores q in columns
 // (offset) and in rows (reach).
-INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) x, __global scalar *offset,
+CALLED void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) x, __global scalar *offset,
                        __global scalar *speed, __global scalar *reach, __global int *diverged_at, __global int *first) {
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     Top a;

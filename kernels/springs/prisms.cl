@@ -18,7 +18,7 @@
 // with the new velocities. If in_turn is 0, the method is explicit. at: the index of the step's start in
 // `moments` (wind, weight and object motion at successive times). number: the number of the step since the
 // start of the simulation.
-INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
+CALLED void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
                         __global scalar *next_tip, __global scalar *next_speed, __global int *diverged_at,
@@ -62,7 +62,7 @@ __kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) mom
 // Computes stage 0, 1, 2 or 3 of the classical Runge-Kutta scheme. tip, speed, offset: state of this stage. base_*:
 // state at the start of the step; after stage 3, state at the end of the step. sum_*: the state at the start
 // of the step, plus the weighted derivatives of the stages computed so far. next_*: state of the next stage.
-INLINE void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
+CALLED void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
                       TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                       TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
                       __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,

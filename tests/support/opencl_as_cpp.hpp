@@ -55,6 +55,7 @@ inline bool some(truth m) {
 
 #define TABLE(type) const type*
 #define INLINE static inline
+#define CALLED static inline
 #define to_real (real)
 #define to_whole (whole)
 #define to_wide (wide)

@@ -89,6 +89,35 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
 // With CONTACT, the colliders of the table `contact` at the time number `time` push the vertices towards their roots, and the
 // fourth number of a row is the share of the displacement that remains.
 // If a vertex needs clipping, its 1/w in `screen` is 0, and in `box` its greatest 1/w is infinite and its least 1/w is 0.
+CALLED void vertices_of_block(const RasterParams *s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+                              TABLE(float) table, TABLE(float) contact, TABLE(float) field, int time,
+                              __global float *screen, __global float *box, int block) {
+  Corner c = corner(s, vertex, tip, dry, table, block);
+#if CONTACT
+  Colliders colliders = colliders_at(contact, field, time);
+#endif
+  Bounds all = nothing();
+  for (int g = 0; g < s->layer_batches; ++g) {
+    int first = g == 0 ? -1 : s->first_layer + (g - 1) * s->layer_batch;
+    int last = g == 0 ? 0 : min(first + s->layer_batch, s->end_layer);
+    Bounds bounds = nothing();
+    for (int n = first; n < last; ++n) {
+      Layer l = layer_at(s, table, n);
+      real kept = REAL(0.0f);
+#if CONTACT
+      c.share = n < 0 ? REAL(1.0f) : kept_share(colliders, c.position, displacement(s, l, c));
+      kept = c.share;
+#endif
+      Screen v = to_screen(s, to_clip(s, l, c));
+      real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, kept};
+      store_rows(row, screen + 4 * screen_row(s, n), block);
+      bounds = both(bounds, bounds_of(s, v));
+    }
+    store_bounds(bounds, box + (size_t)g * s->vertices * 4, block);
+    all = both(all, bounds);
+  }
+  store_bounds(all, box + (size_t)s->layer_batches * s->vertices * 4, block);
+}
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global float *box
 #if CONTACT
@@ -97,36 +126,17 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
 ) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
-  Corner c = corner(&s, vertex, tip, dry, table, block);
-#if CONTACT
-  Colliders colliders = colliders_at(contact, field, time);
+#if !CONTACT
+  TABLE(float) contact = 0;
+  TABLE(float) field = 0;
+  int time = 0;
 #endif
-  Bounds all = nothing();
-  for (int g = 0; g < s.layer_batches; ++g) {
-    int first = g == 0 ? -1 : s.first_layer + (g - 1) * s.layer_batch;
-    int last = g == 0 ? 0 : min(first + s.layer_batch, s.end_layer);
-    Bounds bounds = nothing();
-    for (int n = first; n < last; ++n) {
-      Layer l = layer_at(&s, table, n);
-      real kept = REAL(0.0f);
-#if CONTACT
-      c.share = n < 0 ? REAL(1.0f) : kept_share(colliders, c.position, displacement(&s, l, c));
-      kept = c.share;
-#endif
-      Screen v = to_screen(&s, to_clip(&s, l, c));
-      real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, kept};
-      store_rows(row, screen + 4 * screen_row(&s, n), block);
-      bounds = both(bounds, bounds_of(&s, v));
-    }
-    store_bounds(bounds, box + (size_t)g * s.vertices * 4, block);
-    all = both(all, bounds);
-  }
-  store_bounds(all, box + (size_t)s.layer_batches * s.vertices * 4, block);
+  vertices_of_block(&s, vertex, tip, dry, table, contact, field, time, screen, box, block);
 }
 
 // Returns whether the polygon that is left of a clipped triangle of the base faces away from the eye. The polygon is
 // convex, so all triangles of its fan have the same winding.
-static bool clipped_away(const RasterParams *s, Geometry m, int v0, int v1, int v2) {
+CALLED bool clipped_away(const RasterParams *s, Geometry m, int v0, int v1, int v2) {
   Cut polygon[POLYGON];
   int corners = clipped_triangle(s, m, layer_at(s, m.layer_table, -1), v0, v1, v2, polygon);
   long sum = 0;

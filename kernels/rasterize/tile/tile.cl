@@ -31,54 +31,42 @@
 #include "rasterize/tile/blocks.clh"
 #include "rasterize/tile/hidden.clh"
 
-// Clips a triangle, and draws the fan of triangles of the remaining polygon one by one. The lists of the
-// blocks must be empty. Returns the number of covered fragments if COUNT_FRAGMENTS is defined, else 0.
-static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Batch *batch, Drawn *d, Tile *tile) {
+// Draws LANES triangles of which some need clipping. The triangles are drawn one by one to keep their order. Of a clipped
+// triangle, the fan of triangles of the remaining polygon is drawn. This case is rare, so its speed does not matter.
+CALLED int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
-  Cut polygon[POLYGON];
-  int corners = clipped_triangle(pass->s, m, pass->layer, v0, v1, v2, polygon);
-  int covered = 0;
-  for (int i = 1; i + 1 < corners; ++i) {
-    // All lanes set up the same triangle of the fan. Clipping is rare, so its speed does not matter.
-    Triangles b;
-    int index[3] = {0, i, i + 1};
-    for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
-    for (int c = 0; c < 3; ++c) b.vertex[c] = WHOLE(c);
-    b.dry = false;
-    if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, nearest_of(b), d, batch)) continue;
-    Piece piece;
-    for (int c = 0; c < 3; ++c) {
-      int drawn_corner = index[as_int(d->triangle[9 + c]) / RECORD];
-      piece.b1[c] = polygon[drawn_corner].b1;
-      piece.b2[c] = polygon[drawn_corner].b2;
-    }
-    d->triangle[9] = as_float(RECORD * v0);
-    d->triangle[10] = as_float(RECORD * v1);
-    d->triangle[11] = as_float(RECORD * v2);
-    covered += cover_pixels(batch, 0, 0, &pass->hidden, d);
-    flush(pass, &piece, d, tile);
-  }
-  return covered;
-}
-
-// Draws LANES triangles of which some need clipping (a rare case). The triangles are drawn one by one to keep their
-// order.
-static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
   flush(pass, 0, d, tile);
   truth outside = needs_clip(b);
-  Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], pass->place.width, pass->place.height);
-  t.live = t.live && !outside;
-  int clipped[LANES], corner[3][LANES];
+  int clipped[LANES], vertex[3][LANES];
   spill_whole(outside ? WHOLE(1) : WHOLE(0), clipped);
-  for (int c = 0; c < 3; ++c) spill_whole(b.vertex[c], corner[c]);
+  for (int c = 0; c < 3; ++c) spill_whole(b.vertex[c], vertex[c]);
   int covered = 0;
   for (int k = 0; k < count; ++k) {
-    int lane = pass->n < 0 ? k : count - 1 - k;
-    if (clipped[lane]) {
-      covered += draw_clipped(pass, m, corner[0][lane], corner[1][lane], corner[2][lane], batch, d, tile);
-    } else if (keep(t, b, nearest_of(b), d, batch) >> lane & 1) {
-      covered += cover_pixels(batch, lane, lane, &pass->hidden, d);
-      flush(pass, 0, d, tile);
+    int lane = pass->n < 0 ? k : count - 1 - k, slot = clipped[lane] ? 0 : lane, corners = 3;
+    Cut polygon[POLYGON];
+    if (clipped[lane]) corners = clipped_triangle(pass->s, m, pass->layer, vertex[0][lane], vertex[1][lane], vertex[2][lane], polygon);
+    for (int i = 1; i + 1 < corners; ++i) {
+      Triangles now = b;
+      int index[3] = {0, i, i + 1};
+      if (clipped[lane]) {               // all lanes set up the same triangle of the fan
+        for (int c = 0; c < 3; ++c) now.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
+        for (int c = 0; c < 3; ++c) now.vertex[c] = WHOLE(c);
+        now.dry = false;
+      }
+      Setup t = set_up(now.corner[0], now.corner[1], now.corner[2], place->width, place->height);
+      if (!clipped[lane]) t.live = t.live && !outside;
+      if (!(keep(t, now, nearest_of(now), d, batch) >> slot & 1)) continue;
+      Piece piece;
+      if (clipped[lane])
+        for (int c = 0; c < 3; ++c) {
+          Cut corner = polygon[index[as_int(d->triangle[9 + c]) / RECORD]];
+          piece.b1[c] = corner.b1;
+          piece.b2[c] = corner.b2;
+        }
+      if (clipped[lane])
+        for (int c = 0; c < 3; ++c) d->triangle[9 + c] = as_float(RECORD * vertex[c][lane]);
+      covered += cover_pixels(batch, slot, slot, &pass->hidden, d);
+      flush(pass, clipped[lane] ? &piece : 0, d, tile);
     }
   }
   return covered;

@@ -187,28 +187,9 @@ INLINE void chain_batch(ChainParams p, TABLE(ChainMoment) moments, Tables t, TAB
 }
 #endif
 
-// The arguments whose names begin with some_ are the tables of Room, which the kernel overwrites.
-__kernel void chain_frame(ChainParams p, TABLE(ChainMoment) moments, TABLE(scalar) strands, __global scalar *states,
-                          __global scalar *some_strands, __global scalar *some_states
-#if CHAIN_BODY
-                          , TABLE(scalar) field, __global scalar *body, __global scalar *some_body
-#endif
-#if CHAIN_SKIN
-                          , TABLE(scalar) from, TABLE(scalar) to, __global scalar *some_from, __global scalar *some_to
-#endif
-) {
-  Tables t;
-  Room room;
-  t.strands = strands, t.states = states, room.strands = some_strands, room.states = some_states;
-#if CHAIN_BODY
-  t.body = body, room.body = some_body;
-#else
-  TABLE(scalar) field = 0;
-#endif
-#if CHAIN_SKIN
-  t.from = from, t.to = to, room.from = some_from, room.to = some_to;
-#endif
-  int item = (int)get_global_id(0), first = item * p.units_per_item, last = first + p.units_per_item;
+// Computes all substeps of the strands of work-item `item`.
+CALLED void chains_of(ChainParams p, TABLE(ChainMoment) moments, Tables t, TABLE(scalar) field, Room room, int item) {
+  int first = item * p.units_per_item, last = first + p.units_per_item;
   int units = p.slices * UNITS;
   last = last < units ? last : units;
 #if COLLECTS
@@ -235,4 +216,28 @@ __kernel void chain_frame(ChainParams p, TABLE(ChainMoment) moments, TABLE(scala
   truth none;
   for (int u = first; u < last; ++u) store_chain(last_chain(p, moments, t, field, u, load_chain(t, u), 0, &none), t, u);
 #endif
+}
+
+// The arguments whose names begin with some_ are the tables of Room, which the kernel overwrites.
+__kernel void chain_frame(ChainParams p, TABLE(ChainMoment) moments, TABLE(scalar) strands, __global scalar *states,
+                          __global scalar *some_strands, __global scalar *some_states
+#if CHAIN_BODY
+                          , TABLE(scalar) field, __global scalar *body, __global scalar *some_body
+#endif
+#if CHAIN_SKIN
+                          , TABLE(scalar) from, TABLE(scalar) to, __global scalar *some_from, __global scalar *some_to
+#endif
+) {
+  Tables t;
+  Room room;
+  t.strands = strands, t.states = states, room.strands = some_strands, room.states = some_states;
+#if CHAIN_BODY
+  t.body = body, room.body = some_body;
+#else
+  TABLE(scalar) field = 0;
+#endif
+#if CHAIN_SKIN
+  t.from = from, t.to = to, room.from = some_from, room.to = some_to;
+#endif
+  chains_of(p, moments, t, field, room, (int)get_global_id(0));
 }

@@ -118,9 +118,8 @@ INLINE whole film_frame(TABLE(int) layers, whole layer, whole strand) {
 }
 #endif
 
-__kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
-                          __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves) {
-  int run = (int)get_global_id(0);
+CALLED void keys_of_run(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
+                        __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves, int run) {
   if (run >= p.runs) return;
   int first = run * p.units_per_run, last = min(first + p.units_per_run, p.units);
   __global uint2 *out = pair + (size_t)run * p.capacity;    // with STRAND_MAP, the lists of the runs have no gaps
@@ -179,4 +178,9 @@ __kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys
     listed += count;
   }
   live[run] = listed;
+}
+
+__kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
+                          __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves) {
+  keys_of_run(p, strands, keys, layers, row, blocks, pair, live, curves, (int)get_global_id(0));
 }
