@@ -21,10 +21,8 @@ bool covers(const Claim& claim, const Row& row) {
   if (!row.overrides.empty() && !claim.overridden) return false;
   return std::all_of(claim.where.begin(), claim.where.end(), [&row](const auto& condition) {
     const auto& [axis, values] = condition;
-    const auto found = row.axes.find(axis);
-    const std::string& value = found == row.axes.end() && axis == "variant" ? row.variant
-                               : found == row.axes.end()                    ? ""
-                                                                            : found->second;
+    const bool own = axis == "variant" && !row.axes.contains(axis);
+    const std::string value = own ? row.variant : value_at(row.axes, axis);
     return std::find(values.begin(), values.end(), value) != values.end();
   });
 }

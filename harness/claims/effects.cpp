@@ -23,8 +23,8 @@ std::optional<double> position_of(const Claim& claim, const std::string& axis, c
   if (!claim.along.empty()) {
     const auto& metrics = cell.processes.front()->metrics;
     if (const auto found = metrics.find(claim.along); found != metrics.end()) x = found->second.value;
-  } else if (const auto found = cell.axes.find(axis); found != cell.axes.end()) {
-    x = number_of(found->second);
+  } else {
+    x = number_of(value_at(cell.axes, axis));
   }
   return x && *x > 0 ? x : std::nullopt;
 }
@@ -32,11 +32,6 @@ std::optional<double> position_of(const Claim& claim, const std::string& axis, c
 Axes without(Axes axes, const std::set<std::string>& names) {
   for (const std::string& name : names) axes.erase(name);
   return axes;
-}
-
-std::string value_at(const Cell& cell, const std::string& axis) {
-  const auto found = cell.axes.find(axis);
-  return found == cell.axes.end() ? std::string{} : found->second;
 }
 
 /// Returns the axes that have several values among the cells and are not in `used`.
@@ -70,7 +65,7 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
                                                            std::vector<std::string>& left_out) {
   Group of, to;
   for (const std::size_t i : group) {
-    const std::string value = value_at(cells[i], claim.axis);
+    const std::string value = value_at(cells[i].axes, claim.axis);
     if (value == claim.of) of.push_back(i);
     if (value == claim.to) to.push_back(i);
   }
@@ -122,7 +117,7 @@ void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& 
   };
   if (trend) {
     std::map<std::string, Group> at;  // value of the axis `across` -> indices of cells
-    for (const std::size_t i : group) at[value_at(cells[i], axis)].push_back(i);
+    for (const std::size_t i : group) at[value_at(cells[i].axes, axis)].push_back(i);
     for (const auto& [value, members] : at)
       if (const auto pair = pair_of(claim, cells, members, left_out)) add({pair->first, pair->second});
   } else {
@@ -173,7 +168,7 @@ std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
     Part part;
     for (const std::string& axis : telling) {
       if (!part.name.empty()) part.name += ' ';
-      part.name += value_at(cells[group.front()], axis);
+      part.name += value_at(cells[group.front()].axes, axis);
     }
     if (claim.effect == Effect::ratio_trend || claim.effect == Effect::elasticity ||
         claim.effect == Effect::linearity) {

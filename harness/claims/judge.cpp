@@ -18,28 +18,13 @@ namespace {
 
 constexpr double significance = 0.05;
 
-double quantile_of_sorted(const std::vector<double>& values, double q) {
-  const double position = q * double(values.size() - 1);
-  const auto below = std::size_t(position);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (position - double(below)) * (values[above] - values[below]);
-}
-
-struct Sorted {
-  std::vector<double> draws;  // in increasing order
-  // Two-sided bootstrap p-value. The null hypothesis contradicts the measurement: if the measured effect is
-  // inside the region, the null hypothesis says that the true effect is outside, and vice versa.
-  double p = 1;
-};
-
-Sorted sorted_of(const Estimate& estimate, const Region& region) {
-  Sorted result{estimate.draws, 1};
-  std::sort(result.draws.begin(), result.draws.end());
+/// Returns the two-sided bootstrap p-value. The null hypothesis contradicts the measurement: if the measured
+/// effect is inside the region, the null hypothesis says that the true effect is outside, and vice versa.
+double p_value(const Estimate& estimate, const Region& region) {
   const bool inside = region.contains(estimate.value);
-  const auto opposite = std::count_if(result.draws.begin(), result.draws.end(),
+  const auto opposite = std::count_if(estimate.draws.begin(), estimate.draws.end(),
                                       [&](double draw) { return region.contains(draw) != inside; });
-  result.p = std::min(1.0, 2 * double(opposite + 1) / double(result.draws.size() + 1));
-  return result;
+  return std::min(1.0, 2 * double(opposite + 1) / double(estimate.draws.size() + 1));
 }
 
 }  // namespace
@@ -62,13 +47,13 @@ int draws_for(std::size_t effects) {
 
 Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
   const std::size_t count = estimates.size();
-  std::vector<Sorted> sorted;
-  sorted.reserve(count);
-  for (const Estimate& estimate : estimates) sorted.push_back(sorted_of(estimate, region));
+  std::vector<double> p;
+  p.reserve(count);
+  for (const Estimate& estimate : estimates) p.push_back(p_value(estimate, region));
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return sorted[a].p < sorted[b].p; });
+                   [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
 
   std::vector<Verdict> found(count, Verdict::undecided);
   std::vector<Decision> each(count);
@@ -78,8 +63,7 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
     const double rest = significance / double(count - k);
     each[i].decisive = i;
     each[i].confidence = 1 - rest;
-    each[i].interval = {quantile_of_sorted(sorted[i].draws, rest / 2),
-                        quantile_of_sorted(sorted[i].draws, 1 - rest / 2)};
+    each[i].interval = {quantile(estimates[i].draws, rest / 2), quantile(estimates[i].draws, 1 - rest / 2)};
     if (stopped) continue;
     const auto [low, high] = each[i].interval;
     if (region.contains(low, high))
@@ -263,8 +247,8 @@ Judged without_rows(const Claim& claim) {
 std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& rows) {
   std::map<Machine, std::map<std::string, std::vector<const Row*>>> by_machine;  // -> experiment -> rows
   for (const FoundRow& found : rows)
-    by_machine[{found.row.device, found.row.provenance.value("host", std::string())}][found.row.experiment]
-        .push_back(&found.row);
+    by_machine[{found.row.device, provenance_text(found.row, "host")}][found.row.experiment].push_back(
+        &found.row);
   std::vector<Judged> result;
   for (const Claim& claim : file.claims) {
     bool any = false;

@@ -1,15 +1,10 @@
 #include "harness/experiment/toml_values.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <sstream>
 
-#include "harness/base/toml_file.hpp"
-
 namespace pelage {
-
-namespace fs = std::filesystem;
 
 std::string literal(const toml::node& node) {
   if (const auto number = node.value_exact<double>()) {
@@ -40,49 +35,6 @@ std::string literal(const toml::node& node) {
 std::string plain(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   return literal(node);
-}
-
-std::string text_at(const fs::path& file, const toml::table& table, std::string_view key,
-                    std::string_view table_name) {
-  const toml::node* node = table.get(key);
-  if (!node) return {};
-  const auto text = node->value_exact<std::string>();
-  if (!text) refuse(file, node, fmt::format("{}{} must be a string", table_name, key));
-  return *text;
-}
-
-std::vector<std::string> texts_at(const fs::path& file, const toml::table& table, std::string_view key) {
-  const toml::node* node = table.get(key);
-  if (!node) return {};
-  if (const auto text = node->value_exact<std::string>()) return {*text};
-  const auto* list = node->as_array();
-  if (!list || list->empty())
-    refuse(file, node, fmt::format("report.{} must be a string or a list of strings", key));
-  std::vector<std::string> texts;
-  for (const toml::node& item : *list) {
-    const auto text = item.value_exact<std::string>();
-    if (!text) refuse(file, &item, fmt::format("report.{} must be a string or a list of strings", key));
-    texts.push_back(*text);
-  }
-  return texts;
-}
-
-double number_at(const fs::path& file, const toml::table& table, std::string_view key, double otherwise,
-                 double least, double most) {
-  const toml::node* node = table.get(key);
-  if (!node) return otherwise;
-  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !(*value >= least && *value <= most))
-    refuse(file, node, fmt::format("{} must be a number in [{}, {}]", key, least, most));
-  return *value;
-}
-
-void check_keys(const fs::path& file, const toml::table& table, std::string_view table_name,
-                const std::set<std::string_view>& known) {
-  for (const auto& [key, node] : table)
-    if (!known.contains(key.str()))
-      refuse(file, &node,
-             fmt::format("unknown key {}{} (known: {})", table_name, key.str(), fmt::join(known, ", ")));
 }
 
 }  // namespace pelage

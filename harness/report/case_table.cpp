@@ -184,7 +184,7 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   text("experiment", [](const Cell& c) { return c.experiment; });
   text("device", [](const Cell& c) { return c.device; });
   text("host", [](const Cell& c) { return c.host; });
-  text("changed", [](const Cell& c) { return changes_of(c); });
+  text("changed", [](const Cell& c) { return changes_of(c.overrides); });
   text("status", [](const Cell& c) { return std::string(to_text(c.status)); });
   const auto time = [&](const char* name, const char* heading, bool starred, double (*of)(const Cell&)) {
     columns.push_back(time_column(name, heading, starred, of));
@@ -275,7 +275,7 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
   }
   if (any.variant != default_variant && shared([](const Cell& c) { return c.variant; }))
     text += ", variant " + any.variant;
-  if (!any.overrides.empty()) text += "; changed: " + changes_of(any);
+  if (!any.overrides.empty()) text += "; changed: " + changes_of(any.overrides);
   return text;
 }
 
@@ -362,13 +362,8 @@ std::vector<std::string> view_warnings(const View& view, const std::map<std::str
           key, name, near));
     }
   };
-  check("blocks", view.blocks);
-  check("columns", view.columns);
-  check("values", view.values);
   if (!view.x.empty()) check("x", {view.x});
-  check("y", view.y);
-  check("series", view.series);
-  check("panels", view.panels);
+  for (const auto& [key, member] : view_lists) check(key, view.*member);
   return warnings;
 }
 

@@ -131,8 +131,7 @@ void summarize(Cell& cell, const Samples& samples) {
 }  // namespace
 
 std::string Cell::axis(const std::string& key) const {
-  const auto found = axes.find(key);
-  return found == axes.end() ? std::string{} : found->second;
+  return value_at(axes, key);
 }
 
 std::string Cell::reading() const {
@@ -146,10 +145,10 @@ std::optional<Metric> Cell::paper_fps() const {
   return found->second;
 }
 
-std::string changes_of(const Cell& cell) {
+std::string changes_of(const std::map<std::string, std::string>& overrides, std::string_view separator) {
   std::string text;
-  for (const auto& [key, value] : cell.overrides)
-    text += fmt::format("{}{}={}", text.empty() ? "" : "; ", key, value);
+  for (const auto& [key, value] : overrides)
+    text += fmt::format("{}{}={}", text.empty() ? "" : separator, key, value);
   return text;
 }
 

@@ -55,7 +55,8 @@ inline bool timed(const Cell& cell) {
 }
 
 /// Returns the settings that the user changed on the command line: "fur.length=0.1; size=800x600".
-std::string changes_of(const Cell& cell);
+std::string changes_of(const std::map<std::string, std::string>& overrides,
+                       std::string_view separator = "; ");
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
 /// which they first occur in the rows. Only rows with equal identities are combined.

@@ -10,6 +10,7 @@
 
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
+#include "harness/report/cells.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -26,19 +27,6 @@ struct Columns {
     }
   }
 };
-
-std::string overrides_text(const Row& row) {
-  std::string text;
-  for (const auto& [key, value] : row.overrides)
-    text += fmt::format("{}{}={}", text.empty() ? "" : ";", key, value);
-  return text;
-}
-
-std::string of_provenance(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  if (found == row.provenance.end()) return {};
-  return found->is_string() ? found->get<std::string>() : found->dump();
-}
 
 std::string contended_text(const Row& row) {
   if (!row.provenance.contains("other_cpu_share")) return {};
@@ -59,9 +47,9 @@ std::vector<std::string> head(const Columns& columns, std::vector<std::string> r
 std::vector<std::string> body(const Columns& columns, const Row& row, const std::vector<std::string>& rest) {
   std::vector<std::string> fields{row.experiment, row.case_name, row.variant};
   for (const std::string& key : columns.axes)
-    fields.push_back(row.axes.contains(key) ? row.axes.at(key) : "");
-  for (std::string text : {overrides_text(row), row.device, of_provenance(row, "host"), row.run_id,
-                           std::to_string(row.repeat), of_provenance(row, "preset"), hash_of(row.identity),
+    fields.push_back(value_at(row.axes, key));
+  for (std::string text : {changes_of(row.overrides, ";"), row.device, provenance_text(row, "host"), row.run_id,
+                           std::to_string(row.repeat), provenance_text(row, "preset"), hash_of(row.identity),
                            std::string(to_text(row.status)), row.reason, contended_text(row)})
     fields.push_back(std::move(text));
   fields.insert(fields.end(), rest.begin(), rest.end());
@@ -122,7 +110,7 @@ namespace {
 
 std::string names_of(const Row& row) {
   std::string text = fmt::format("{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
-                                 row.provenance.value("host", std::string()));
+                                 provenance_text(row, "host"));
   for (const auto& [key, value] : row.overrides) text += fmt::format("|{}={}", key, value);
   return text;
 }

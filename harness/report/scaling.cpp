@@ -49,7 +49,7 @@ std::vector<Cell> scaling_cells(const std::vector<Cell>& cells) {
     if (added) place->second = view_of({c}).program == "scaling";
     if (place->second && c.median_ms > 0 && metric(c, "triangles") > 0 && layers_of(c) > 0 &&
         size_of(c)[1] > 0)
-      by_changes[changes_of(c)].push_back(c);
+      by_changes[changes_of(c.overrides)].push_back(c);
   }
   const auto most = std::max_element(by_changes.begin(), by_changes.end(), [](const auto& a, const auto& b) {
     return a.second.size() < b.second.size();

@@ -82,7 +82,7 @@ void separate(std::vector<Section>& sections) {
 
 std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& sources) {
   std::map<std::tuple<std::string, std::string, std::string, std::string>, std::vector<Cell>> groups;
-  for (const Cell& c : cells) groups[{c.experiment, c.device, c.host, changes_of(c)}].push_back(c);
+  for (const Cell& c : cells) groups[{c.experiment, c.device, c.host, changes_of(c.overrides)}].push_back(c);
   std::vector<Section> sections;
   for (const auto& [key, group] : groups) {
     std::vector<Section> own = of_group(group, stem_of(group.front(), sources), sources);

@@ -28,7 +28,7 @@ std::string text_cell(const std::optional<Value>& value) {
 /// Whether the head of the table has a second line, with the headings of the values below those of the
 /// groups.
 bool two_heads(const Pivot& pivot) {
-  return pivot.groups.size() != 1 || !pivot.groups[0].empty() ? pivot.values.size() > 1 : true;
+  return !pivot.grouped() || pivot.values.size() > 1;
 }
 
 /// Returns the width of each column in characters: first the key columns, then the columns of each group.
@@ -95,11 +95,11 @@ std::string text_head(const Pivot& pivot, const Pivot::Block& block, const Width
     if (!label.empty()) names[0] = label;
     return trimmed(keys_line(names, widths) + groups);
   }
-  const bool any_group = pivot.groups.size() != 1 || !pivot.groups[0].empty();
   std::vector<std::string> above(names.size());
   if (!above.empty()) above[0] = label;
   std::string text;
-  if (any_group || !label.empty()) text += trimmed(keys_line(above, widths) + (any_group ? groups : ""));
+  if (pivot.grouped() || !label.empty())
+    text += trimmed(keys_line(above, widths) + (pivot.grouped() ? groups : ""));
   return text + trimmed(keys_line(names, widths) + values);
 }
 
