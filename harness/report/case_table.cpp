@@ -98,9 +98,9 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
       const std::string column = taken.contains(own) ? "metric." + own : own;
       const std::string heading = unit.empty() || unit == name ? own : fmt::format("{}, {}", own, unit);
       columns.push_back({{column, heading}, [name, part](const Cell& c) {
-                           const auto found = c.metrics.find(name);
-                           if (c.status != Status::ok || found == c.metrics.end()) return number_value({});
-                           const std::optional<double> number = part(found->second);
+                           const Metric* metric = c.metric(name);
+                           if (c.status != Status::ok || !metric) return number_value({});
+                           const std::optional<double> number = part(*metric);
                            return number && *number == double(std::int64_t(*number)) ? count_value(number)
                                                                                      : number_value(number);
                          }});
@@ -130,8 +130,7 @@ std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells)
   std::map<std::string, double> counts;
   for (const Cell& c : cells) {
     double& count = counts[c.axis("model")];
-    if (const auto found = c.metrics.find("triangles"); found != c.metrics.end())
-      count = std::max(count, found->second.value);
+    if (const Metric* metric = c.metric("triangles")) count = std::max(count, metric->value);
   }
   return counts;
 }
@@ -311,13 +310,13 @@ std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {
   return remarks;
 }
 
-std::string name_of(const Cell& cell) {
+std::string name_of(const Cell& cell, const std::string& but) {
   std::vector<std::pair<std::string, std::string>> axes(cell.axes.begin(), cell.axes.end());
   std::stable_sort(axes.begin(), axes.end(),
                    [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
   std::string text;
   for (const auto& [axis, value] : axes) {
-    if (axis == "variant" || (axis == "reading" && value == "default")) continue;
+    if (axis == "variant" || axis == but || (axis == "reading" && value == "default")) continue;
     text += text.empty() ? "" : ", ";
     // A word such as "sticks" names itself, but a number needs the name of its axis.
     text += number_of(value) ? with_value(axis_column(axis), value) : value;

@@ -139,10 +139,20 @@ std::string Cell::reading() const {
   return value.empty() ? "default" : value;
 }
 
-std::optional<Metric> Cell::paper_fps() const {
-  const auto found = metrics.find("paper_fps");
-  if (found == metrics.end()) return {};
-  return found->second;
+const Metric* Cell::metric(const std::string& name) const {
+  const auto found = metrics.find(name);
+  return found == metrics.end() ? nullptr : &found->second;
+}
+
+const Cell* counterpart(const std::vector<Cell>& cells, const Cell& like, const std::string& axis,
+                        const std::string& value) {
+  std::map<std::string, std::string> axes = like.axes;
+  axes[axis] = value;
+  const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
+    return timed(c) && c.axes == axes && c.variant == like.variant && c.device == like.device &&
+           c.host == like.host;
+  });
+  return found == cells.end() ? nullptr : &*found;
 }
 
 std::string changes_of(const std::map<std::string, std::string>& overrides, std::string_view separator) {
@@ -198,7 +208,7 @@ void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, cons
 }
 
 std::optional<Ratio> ratio_of(const Cell& cell) {
-  const std::optional<Metric> paper = cell.paper_fps();
+  const Metric* paper = cell.metric("paper_fps");
   if (!paper || cell.median_ms <= 0) return {};
   Ratio ratio{cell.fps() / paper->value, paper->relation == "<" ? ">" : "", {}, {}};
   if (paper->high) ratio.low = 1000 / cell.interval_ms.high / *paper->high;

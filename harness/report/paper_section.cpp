@@ -17,7 +17,7 @@ std::optional<double> ms_of(std::optional<double> fps) {
 
 CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metric& paper)) {
   return {{name, name}, [number](const Cell& c) {
-            const auto paper = c.paper_fps();
+            const Metric* paper = c.metric("paper_fps");
             return number_value(paper ? number(*paper) : std::nullopt);
           }};
 }
@@ -36,9 +36,12 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   for (CellColumn& c : columns)
     if (c.column.name == "fps") c.column.heading = "ours";
   columns.push_back({{"paper_relation", "paper_relation"},
-                     [](const Cell& c) { return text_value(c.paper_fps().value_or(Metric{}).relation); }});
+                     [](const Cell& c) {
+                       const Metric* paper = c.metric("paper_fps");
+                       return text_value(paper ? paper->relation : "");
+                     }});
   columns.push_back({{"paper_fps", "paper"}, [](const Cell& c) {
-                       const auto paper = c.paper_fps();
+                       const Metric* paper = c.metric("paper_fps");
                        if (!paper) return number_value({});
                        return Value{fmt::format("{:g}", paper->value), published_text(*paper)};
                      }});
