@@ -76,8 +76,9 @@ Section paper_section(std::vector<Cell> cells, const std::string& stem, const So
                                   experiment.hardware));
   Section section =
       section_of(cells, paper_columns(cells), stem, sources,
-                 {{"layers"}, {"model", "triangles"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
+                 {{"layers"}, {"model"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
   Table& table = section.table;
+  add_remarks(table, mark_remarks(cells));
   if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
   if (any.reading() != "default") table.stem += "-" + any.reading();
   if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);

@@ -110,14 +110,14 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
       std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return !c.renderer.empty(); });
   Section section = section_of(
       cells, columns, stem + "-ratio", sources,
-      {{"reading"}, {"model", "triangles"}, {"layers", "size"}, {"opengl_ratio"}},
+      {{"reading"}, {"model"}, {"layers", "size"}, {"opengl_ratio"}},
       {fmt::format(
           "Time of the paper's pipeline ({}) divided by ours, for the same picture in the same round: median over the rounds, and its 95% interval.",
           renderer == cells.end() ? "OpenGL" : renderer->renderer)});
   Table& table = section.table;
-  for (std::string& sentence : means_of(cells)) table.remarks.push_back(std::move(sentence));
-  if (std::string sentence = overhead_of(cells); !sentence.empty())
-    table.remarks.push_back(std::move(sentence));
+  add_remarks(table, mark_remarks(cells));
+  add_remarks(table, means_of(cells));
+  add_remarks(table, {overhead_of(cells)});
   View view = view_of(cells);
   if (view == View{})
     view = {.x = column_of(table, "model") >= 0 ? "model" : "",

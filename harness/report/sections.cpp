@@ -86,8 +86,7 @@ std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& 
   std::vector<Section> sections;
   for (const auto& [key, group] : groups) {
     std::vector<Section> own = of_group(group, stem_of(group.front(), sources), sources);
-    if (std::string equal = equal_pictures_remark(group); !equal.empty())
-      own.front().table.remarks.push_back(std::move(equal));
+    add_remarks(own.front().table, {equal_pictures_remark(group)});
     std::move(own.begin(), own.end(), std::back_inserter(sections));
   }
   separate(sections);
@@ -120,10 +119,19 @@ Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>
   table.layout = {present(table, layout.blocks), present(table, layout.rows), present(table, layout.groups),
                   present(table, layout.values)};
   add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
+  std::vector<std::string>& rows = table.layout.rows;
+  if (const auto model = std::find(rows.begin(), rows.end(), "model");
+      model != rows.end() && column_of(table, "triangles") >= 0)
+    rows.insert(model + 1, "triangles");
+  if (rows.empty()) rows = {column_of(table, "model") >= 0 ? "model" : "variant"};
   table.remarks = std::move(remarks);
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
+  add_footnotes(table, sources.note);
   return section;
+}
+
+void add_remarks(Table& table, const std::vector<std::string>& remarks) {
+  std::copy_if(remarks.begin(), remarks.end(), std::back_inserter(table.remarks),
+               [](const std::string& remark) { return !remark.empty(); });
 }
 
 std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {

@@ -68,11 +68,14 @@ std::string title_of(const std::vector<Cell>& cells);
 struct CellColumn;
 
 /// Returns a section with title, subtitle and file name, whose table has one line per cell. Its layout has
-/// those names of `layout` that are columns, and every axis that varies. Its remarks are followed by
-/// mark_remarks(). The table has the footnotes of models, but the section has no plots yet.
+/// those names of `layout` that are columns, every axis that varies, and the number of triangles beside the
+/// model. The table has the footnotes of models, but the section has no plots yet.
 Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
                    const std::string& stem, const Sources& sources, const Layout& layout,
                    std::vector<std::string> remarks);
+
+/// Appends the remarks that are not empty.
+void add_remarks(Table& table, const std::vector<std::string>& remarks);
 
 /// Returns those of `names` that are columns of the table.
 std::vector<std::string> present(const Table& table, const std::vector<std::string>& names);

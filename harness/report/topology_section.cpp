@@ -79,9 +79,10 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
   }
   Section section = section_of(
       cells, columns, stem, sources,
-      {{"layers", "size"}, {"model", "triangles"}, {axis}, {"median_ms", "simulate_ms"}},
+      {{"layers", "size"}, {"model"}, {axis}, {"median_ms", "simulate_ms"}},
       {"frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, measured by the device's timer."});
   Table& table = section.table;
+  add_remarks(table, mark_remarks(cells));
   View view = view_of(cells);
   if (view == View{} && column_of(table, "triangles") >= 0)
     view = {.x = "triangles",
