@@ -20,8 +20,8 @@
 namespace pelage {
 
 /// A TOML table. If a value has the wrong type, the functions throw InputError, whose message names the file,
-/// the line and the table (unless `name` is empty). The constructor's arguments `file` and `table` must outlive
-/// the object.
+/// the line and the table (unless `name` is empty). The constructor's arguments `file` and `table` must
+/// outlive the object.
 class TomlTable {
  public:
   using Texts = std::vector<std::string>;

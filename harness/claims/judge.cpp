@@ -52,8 +52,7 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
   for (const Estimate& estimate : estimates) p.push_back(p_value(estimate, region));
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
 
   std::vector<Verdict> found(count, Verdict::undecided);
   std::vector<Decision> each(count);

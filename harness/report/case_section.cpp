@@ -143,8 +143,7 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
   }
   const bool about_variants =
       view == View{} && variants.size() >= fewest_variants && others.size() <= most_groups;
-  Section section =
-      about_variants ? of_variants(cells, stem, sources) : of_cases(cells, view, stem, sources);
+  Section section = about_variants ? of_variants(cells, stem, sources) : of_cases(cells, view, stem, sources);
   Table& table = section.table;
   for (const std::string& name : table.layout.values) show_interval(table, name);
   std::vector<std::string> explained = value_remarks(table.layout.values);

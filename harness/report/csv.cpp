@@ -46,11 +46,11 @@ std::vector<std::string> head(const Columns& columns, std::vector<std::string> r
 
 std::vector<std::string> body(const Columns& columns, const Row& row, const std::vector<std::string>& rest) {
   std::vector<std::string> fields{row.experiment, row.case_name, row.variant};
-  for (const std::string& key : columns.axes)
-    fields.push_back(value_at(row.axes, key));
-  for (std::string text : {changes_of(row.overrides, ";"), row.device, provenance_text(row, "host"), row.run_id,
-                           std::to_string(row.repeat), provenance_text(row, "preset"), hash_of(row.identity),
-                           std::string(to_text(row.status)), row.reason, contended_text(row)})
+  for (const std::string& key : columns.axes) fields.push_back(value_at(row.axes, key));
+  for (std::string text :
+       {changes_of(row.overrides, ";"), row.device, provenance_text(row, "host"), row.run_id,
+        std::to_string(row.repeat), provenance_text(row, "preset"), hash_of(row.identity),
+        std::string(to_text(row.status)), row.reason, contended_text(row)})
     fields.push_back(std::move(text));
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics)

@@ -35,8 +35,7 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   std::erase_if(columns, [](const CellColumn& c) { return c.column.name.starts_with("paper_fps"); });
   for (CellColumn& c : columns)
     if (c.column.name == "fps") c.column.heading = "ours";
-  columns.push_back({{"paper_relation", "paper_relation"},
-                     [](const Cell& c) {
+  columns.push_back({{"paper_relation", "paper_relation"}, [](const Cell& c) {
                        const Metric* paper = c.metric("paper_fps");
                        return text_value(paper ? paper->relation : "");
                      }});
@@ -74,9 +73,8 @@ Section paper_section(std::vector<Cell> cells, const std::string& stem, const So
     remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
                                   experiment.table.empty() ? "the paper" : experiment.table,
                                   experiment.hardware));
-  Section section =
-      section_of(cells, paper_columns(cells), stem, sources,
-                 {{"layers"}, {"model"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
+  Section section = section_of(cells, paper_columns(cells), stem, sources,
+                               {{"layers"}, {"model"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
   Table& table = section.table;
   add_remarks(table, mark_remarks(cells));
   if (any.reading() != "default") table.title += ", " + any.reading() + " reading";

@@ -200,8 +200,8 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
     devices.insert(c.device);
     machines.emplace(c.device, c.host);
   }
-  report.sections = sections_of(
-      report.cells, {note, devices.size() > 1, machines.size() > devices.size(), &report.notes});
+  report.sections =
+      sections_of(report.cells, {note, devices.size() > 1, machines.size() > devices.size(), &report.notes});
   drop_other_pictures(report.cells, left_out);
   copy_pictures(report, folder);
   for (LeftOut& one : without_numbers(report.cells, rows)) left_out.push_back(std::move(one));

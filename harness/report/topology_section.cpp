@@ -78,8 +78,7 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
     if (c.column.name == "simulate_ms") c.column.heading = "simulate";
   }
   Section section = section_of(
-      cells, columns, stem, sources,
-      {{"layers", "size"}, {"model"}, {axis}, {"median_ms", "simulate_ms"}},
+      cells, columns, stem, sources, {{"layers", "size"}, {"model"}, {axis}, {"median_ms", "simulate_ms"}},
       {"frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, measured by the device's timer."});
   Table& table = section.table;
   add_remarks(table, mark_remarks(cells));

@@ -123,7 +123,7 @@ relation = { at_most = 1 }
     return what.substr(what.rfind('/') + 1);
   };
   EXPECT_EQ(error(one), "more.toml:1: two claims have the id one");
-  EXPECT_EQ(error("include = []\n" + one), 
+  EXPECT_EQ(error("include = []\n" + one),
             "more.toml:1: the key include is unknown or has no meaning here (known here: claim)");
   write("main.toml", "include = \"more.toml\"\n" + one);
   EXPECT_EQ(error(""), "main.toml:1: include must be a list of files, such as [\"more.toml\"]");

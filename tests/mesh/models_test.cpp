@@ -107,11 +107,13 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
   const std::string head =
       "[[model]]\nname = \"a\"\nsource = \"cgal:a.off\"\nlicence = \"x\"\nfootnote = \"y\"\n";
   EXPECT_EQ(message(head), "accepted");
-  EXPECT_EQ(message(head + "faces = \"many\"\n"), "models.toml:6: faces must be a whole number from 1 to 100000000");
+  EXPECT_EQ(message(head + "faces = \"many\"\n"),
+            "models.toml:6: faces must be a whole number from 1 to 100000000");
   EXPECT_EQ(message(head + "faces = 0\n"), "models.toml:6: faces must be a whole number from 1 to 100000000");
   EXPECT_EQ(message(head + "rotation = [1, 2]\n"), "models.toml:6: rotation must be three numbers");
-  EXPECT_EQ(message(head + "colour = 1\n"), 
-            "models.toml:6: the key colour is unknown or has no meaning here (known here: faces, footnote, licence, name, published, rotation, source, stand_in, wrap)");
+  EXPECT_EQ(
+      message(head + "colour = 1\n"),
+      "models.toml:6: the key colour is unknown or has no meaning here (known here: faces, footnote, licence, name, published, rotation, source, stand_in, wrap)");
   EXPECT_EQ(message(head + "published.sticks = [4, 2]\n"), "accepted");
   EXPECT_EQ(
       message(head + "published.sticks = [4, -2]\n"),
