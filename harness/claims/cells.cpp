@@ -31,10 +31,8 @@ bool covers(const Claim& claim, const Row& row) {
 std::string missing(const Claim& claim, const Row& row, const std::string& phase) {
   if (row.status != Status::ok)
     return fmt::format("{}{}{}", to_text(row.status), row.reason.empty() ? "" : ": ", row.reason);
-  if (claim.quantity == Quantity::metric && !row.metrics.contains(claim.metric))
-    return fmt::format("the row has no metric {}", claim.metric);
-  if (!claim.per.empty() && !row.metrics.contains(claim.per))
-    return fmt::format("the row has no metric {}", claim.per);
+  for (const std::string& name : {claim.metric, claim.per})
+    if (!name.empty() && !row.metrics.contains(name)) return fmt::format("the row has no metric {}", name);
   const bool needs_frame = claim.quantity != Quantity::metric && claim.quantity != Quantity::phase_time;
   for (const std::string& name :
        {needs_frame || claim.effect == Effect::ratio_by_phase ? phase : std::string(), claim.phase})

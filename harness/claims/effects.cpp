@@ -29,11 +29,6 @@ std::optional<double> position_of(const Claim& claim, const std::string& axis, c
   return x && *x > 0 ? x : std::nullopt;
 }
 
-Axes without(Axes axes, const std::set<std::string>& names) {
-  for (const std::string& name : names) axes.erase(name);
-  return axes;
-}
-
 /// Returns the axes that have several values among the cells and are not in `used`.
 std::vector<std::string> telling_axes(const std::vector<Cell>& cells, const std::set<std::string>& used) {
   std::map<std::string, std::set<std::string>> values;
@@ -50,7 +45,9 @@ std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std:
   std::vector<Group> groups;
   std::map<Axes, std::size_t> known;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto [place, added] = known.try_emplace(without(cells[i].axes, used), groups.size());
+    Axes axes = cells[i].axes;
+    for (const std::string& axis : used) axes.erase(axis);
+    const auto [place, added] = known.try_emplace(std::move(axes), groups.size());
     if (added) groups.emplace_back();
     groups[place->second].push_back(i);
   }
@@ -216,10 +213,8 @@ double effect_of(const Claim& claim, const Part& part, const std::vector<Value>&
 
 double combined(const Claim& claim, const std::vector<double>& effects) {
   if (claim.combine == Combine::median) return median(effects);
-  double sum = 0;
-  for (const double effect : effects) sum += claim.combine == Combine::mean ? effect : std::log(effect);
-  sum /= double(effects.size());
-  return claim.combine == Combine::mean ? sum : std::exp(sum);
+  if (claim.combine == Combine::geometric_mean) return geometric_mean(effects);
+  return std::accumulate(effects.begin(), effects.end(), 0.0) / double(effects.size());
 }
 
 }  // namespace pelage::claims

@@ -41,10 +41,6 @@ double margin(const Region& region, double value) {
   return least;
 }
 
-int draws_for(std::size_t effects) {
-  return int(std::max<std::size_t>(2000, 100 * effects));
-}
-
 Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
   const std::size_t count = estimates.size();
   std::vector<double> p;
@@ -91,10 +87,11 @@ namespace {
 
 using Machine = std::pair<std::string, std::string>;  // device, host
 
-/// Returns one estimate per part, or a single estimate if the claim combines the effects of its parts.
+/// Returns one estimate per part, or a single estimate if the claim combines the effects of its parts. More
+/// separate decisions use wider intervals, near whose limits draws are rare, and therefore need more draws.
 template <class Draw>
 std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& parts,
-                                   std::vector<Draw>& cells, int draws) {
+                                   std::vector<Draw>& cells) {
   const bool every = claim.combine == Combine::every;
   std::vector<Estimate> result(every ? parts.size() : 1);
   std::vector<Value> values(cells.size());
@@ -106,7 +103,7 @@ std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& 
   for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].measured();
   const std::vector<double> measured = compute();
   for (std::size_t e = 0; e < result.size(); ++e) result[e].value = measured[e];
-  for (int d = 0; d < draws; ++d) {
+  for (std::size_t d = 0; d < std::max<std::size_t>(2000, 100 * result.size()); ++d) {
     for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].drawn();
     const std::vector<double> drawn = compute();
     for (std::size_t e = 0; e < result.size(); ++e) result[e].draws.push_back(drawn[e]);
@@ -114,16 +111,12 @@ std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& 
   return result;
 }
 
-int draws_of(const Claim& claim, const std::vector<Part>& parts) {
-  return draws_for(claim.combine == Combine::every ? parts.size() : 1);
-}
-
 std::vector<Estimate> estimates_of(const ClaimFile& file, const Claim& claim, const std::vector<Cell>& cells,
                                    const std::vector<Part>& parts, double spread) {
   std::vector<Drawing> drawings;
   drawings.reserve(cells.size());
   for (const Cell& cell : cells) drawings.emplace_back(claim, cell, spread, file.separate_processes);
-  return estimates_of(claim, parts, drawings, draws_of(claim, parts));
+  return estimates_of(claim, parts, drawings);
 }
 
 /// Adds the effect of published frame rates, if enough cases have one.
@@ -138,7 +131,7 @@ void add_paper(Judged& judged, const std::vector<Cell>& cells) {
   if (parts.empty()) return;
   drawings.reserve(given.size());
   for (const Cell& cell : given) drawings.emplace_back(claim, cell);
-  const std::vector<Estimate> estimates = estimates_of(claim, parts, drawings, draws_of(claim, parts));
+  const std::vector<Estimate> estimates = estimates_of(claim, parts, drawings);
   const Decision decision = decide(estimates, claim.region);
   judged.paper_value = estimates[decision.decisive].value;
   judged.paper_interval = decision.interval;

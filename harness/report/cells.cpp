@@ -116,7 +116,9 @@ void summarize_times(Cell& cell) {
   cell.interval_ms = nested_median_interval(cell.timings.processes, 1);
 }
 
-void summarize(Cell& cell, const Samples& samples) {
+void summarize(Cell& cell, const std::vector<FoundRow>& rows) {
+  Samples samples;
+  for (const std::size_t r : cell.rows) samples.add(rows[r].row);
   for (const auto& [name, values] : samples.metrics) {
     cell.metrics[name] = combined_metric(values);
     for (const Metric& metric : values) cell.runs[name].push_back(metric.value);
@@ -164,22 +166,17 @@ std::string changes_of(const std::map<std::string, std::string>& overrides, std:
 
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   std::vector<Cell> cells;
-  std::vector<Samples> samples;  // one per cell
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const FoundRow& found = rows[r];
     Cell cell = cell_of(found);
     auto place = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
       return names(c) == names(cell) && c.identity == cell.identity;
     });
-    if (place == cells.end()) {
-      place = cells.insert(place, std::move(cell));
-      samples.emplace_back();
-    }
+    if (place == cells.end()) place = cells.insert(place, std::move(cell));
     place->rows.push_back(r);
     add(*place, found.row);
-    samples[std::size_t(place - cells.begin())].add(found.row);
   }
-  for (std::size_t i = 0; i < cells.size(); ++i) summarize(cells[i], samples[i]);
+  for (Cell& cell : cells) summarize(cell, rows);
   std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return std::tie(a.experiment, a.device, a.host) < std::tie(b.experiment, b.device, b.host);
   });

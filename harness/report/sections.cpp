@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -162,12 +161,6 @@ void add_footnotes(Table& table, const ModelNote& note) {
     }
     value.mark = mark->second;
   }
-}
-
-double geometric_mean(const std::vector<double>& numbers) {
-  double sum = 0;
-  for (const double number : numbers) sum += std::log(number);
-  return numbers.empty() ? 0 : std::exp(sum / double(numbers.size()));
 }
 
 View view_of(const std::vector<Cell>& cells) {

@@ -84,9 +84,6 @@ std::vector<std::string> present(const Table& table, const std::vector<std::stri
 /// contain the models, adds the footnotes as remarks instead.
 void add_footnotes(Table& table, const ModelNote& note);
 
-/// Returns the geometric mean; 0 for an empty list.
-double geometric_mean(const std::vector<double>& numbers);
-
 /// Returns the view from the rows of the cells, or for rows of earlier versions that of shipped_experiment().
 View view_of(const std::vector<Cell>& cells);
 

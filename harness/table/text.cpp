@@ -12,10 +12,6 @@ using Widths = std::vector<std::size_t>;
 
 constexpr std::size_t between_values = 1, between_groups = 3;
 
-std::string left(const std::string& text, std::size_t width) {
-  return fmt::format("{:<{}}", text, width);
-}
-
 std::string right(const std::string& text, std::size_t width) {
   return fmt::format("{:>{}}", text, width);
 }
@@ -62,7 +58,7 @@ Widths widths_of(const Pivot& pivot) {
 std::string keys_line(const std::vector<std::string>& texts, const Widths& widths) {
   std::string line;
   for (std::size_t k = 0; k < texts.size(); ++k)
-    line += k == 0 ? left(texts[k], widths[k]) : "  " + right(texts[k], widths[k]);
+    line += k == 0 ? fmt::format("{:<{}}", texts[k], widths[k]) : "  " + right(texts[k], widths[k]);
   return line;
 }
 
