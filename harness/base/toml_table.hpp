@@ -31,7 +31,6 @@ class TomlTable {
 
   void rename(const std::string& name) { name_ = name; }
   bool has(std::string_view key) const { return table_.contains(key); }
-  bool holds_text(std::string_view key) const { return table_[key].is_string(); }
 
   const toml::node* get(std::string_view key) {  ///< null if the key is absent
     known_.insert(std::string(key));

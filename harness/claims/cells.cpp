@@ -59,6 +59,13 @@ std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
   return cells;
 }
 
+std::uint64_t seed_of(const Cell& cell) {
+  Hash hash;
+  const Row& row = *cell.processes.front();
+  hash.text(row.experiment).text(row.case_name).text(row.variant);
+  return hash.value();
+}
+
 }  // namespace
 
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
@@ -90,17 +97,6 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
   result.cells = std::move(kept);
   return result;
 }
-
-namespace {
-
-std::uint64_t seed_of(const Cell& cell) {
-  Hash hash;
-  const Row& row = *cell.processes.front();
-  hash.text(row.experiment).text(row.case_name).text(row.variant);
-  return hash.value();
-}
-
-}  // namespace
 
 Drawing::Drawing(const Claim& claim, const Cell& cell, double spread, int separate_processes)
     : claim_(claim), random_(seed_of(cell)) {

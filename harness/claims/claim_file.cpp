@@ -159,11 +159,12 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   read_effect(*effect, claim);
   for (std::string* name : {&claim.metric, &claim.per, &claim.along})
     *name = present_metric(*name, file.string());
-  if (!table.has("relation")) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
-  if (table.holds_text("relation"))
+  const toml::node* relation = table.get("relation");
+  if (!relation) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
+  if (relation->is_string())
     read_direction(table.text("relation"), table, claim);
-  else if (const auto relation = table.inner("relation"))
-    read_relation(*relation, claim);
+  else if (const auto inner = table.inner("relation"))
+    read_relation(*inner, claim);
   table.finish();
   return claim;
 }

@@ -85,8 +85,6 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
 
 namespace {
 
-using Machine = std::pair<std::string, std::string>;  // device, host
-
 /// Returns one estimate per part, or a single estimate if the claim combines the effects of its parts. More
 /// separate decisions use wider intervals, near whose limits draws are rare, and therefore need more draws.
 template <class Draw>
@@ -214,16 +212,6 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
   }
 }
 
-Judged judge_on(const ClaimFile& file, const Claim& claim, const Machine& machine,
-                const std::vector<const Row*>& rows) {
-  Judged judged;
-  judged.claim = claim;
-  judged.device = machine.first;
-  judged.host = machine.second;
-  judge_cells(file, judged, cells_of(claim, rows));
-  return judged;
-}
-
 Judged without_rows(const Claim& claim) {
   Judged judged;
   judged.claim = claim;
@@ -237,7 +225,8 @@ Judged without_rows(const Claim& claim) {
 }  // namespace
 
 std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& rows) {
-  std::map<Machine, std::map<std::string, std::vector<const Row*>>> by_machine;  // -> experiment -> rows
+  std::map<std::pair<std::string, std::string>, std::map<std::string, std::vector<const Row*>>>
+      by_machine;  // device and host -> experiment -> rows
   for (const FoundRow& found : rows)
     by_machine[{found.row.device, provenance_text(found.row, "host")}][found.row.experiment].push_back(
         &found.row);
@@ -252,7 +241,11 @@ std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& ro
           own.insert(own.end(), found->second.begin(), found->second.end());
       if (own.empty()) continue;
       any = true;
-      result.push_back(judge_on(file, claim, machine, own));
+      Judged& judged = result.emplace_back();
+      judged.claim = claim;
+      judged.device = machine.first;
+      judged.host = machine.second;
+      judge_cells(file, judged, cells_of(claim, own));
     }
     if (!any) result.push_back(without_rows(claim));
   }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -58,15 +57,20 @@ std::vector<std::string> body(const Columns& columns, const Row& row, const std:
   return fields;
 }
 
-/// Calls `use(phase, clock, samples)` for every list of times in the row.
-void each_list(
-    const Row& row,
-    const std::function<void(const std::string&, const std::string&, const std::vector<double>&)>& use) {
+struct TimeList {
+  std::string phase, clock;
+  const std::vector<double>& times;
+};
+
+/// Returns the lists of times in the row that are not empty.
+std::vector<TimeList> lists_of(const Row& row) {
+  std::vector<TimeList> lists;
   for (const auto& [phase, samples] : row.samples) {
-    if (!samples.wall_ms.empty()) use(phase, "wall", samples.wall_ms);
-    if (!samples.event_ms.empty()) use(phase, "event", samples.event_ms);
-    if (!samples.cpu_ms.empty()) use(phase, "cpu", samples.cpu_ms);
+    if (!samples.wall_ms.empty()) lists.push_back({phase, "wall", samples.wall_ms});
+    if (!samples.event_ms.empty()) lists.push_back({phase, "event", samples.event_ms});
+    if (!samples.cpu_ms.empty()) lists.push_back({phase, "cpu", samples.cpu_ms});
   }
+  return lists;
 }
 
 }  // namespace
@@ -80,13 +84,13 @@ std::string csv_by_phase(const std::vector<FoundRow>& rows) {
       text += csv_line(body(columns, row, {"frame", "wall", "0", "", "", ""}));
       continue;
     }
-    each_list(row, [&](const std::string& phase, const std::string& clock, const std::vector<double>& times) {
+    for (const auto& [phase, clock, times] : lists_of(row)) {
       const Interval interval = median_interval(times);
       text +=
           csv_line(body(columns, row,
                         {phase, clock, std::to_string(times.size()), fmt::format("{:.10g}", median(times)),
                          fmt::format("{:.10g}", interval.low), fmt::format("{:.10g}", interval.high)}));
-    });
+    }
   }
   return text;
 }
@@ -96,12 +100,10 @@ std::string csv_by_sample(const std::vector<FoundRow>& rows) {
   std::string text = csv_line(head(columns, {"phase", "clock", "sample", "ms"}));
   for (const FoundRow& found : rows) {
     if (found.row.status != Status::ok) continue;
-    each_list(found.row,
-              [&](const std::string& phase, const std::string& clock, const std::vector<double>& times) {
-                for (std::size_t i = 0; i < times.size(); ++i)
-                  text += csv_line(body(columns, found.row,
-                                        {phase, clock, std::to_string(i), fmt::format("{:.10g}", times[i])}));
-              });
+    for (const auto& [phase, clock, times] : lists_of(found.row))
+      for (std::size_t i = 0; i < times.size(); ++i)
+        text += csv_line(
+            body(columns, found.row, {phase, clock, std::to_string(i), fmt::format("{:.10g}", times[i])}));
   }
   return text;
 }

@@ -24,7 +24,7 @@ CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metr
 
 CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Ratio& ratio)) {
   return {{name, name}, [number](const Cell& c) {
-            const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
+            const auto ratio = ratio_of(c);
             return number_value(ratio ? number(*ratio) : std::nullopt);
           }};
 }
@@ -50,7 +50,7 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   columns.push_back(of_paper("paper_ms_low", [](const Metric& m) { return ms_of(m.high); }));
   columns.push_back(of_paper("paper_ms_high", [](const Metric& m) { return ms_of(m.low); }));
   columns.push_back({{"ratio", "ratio"}, [](const Cell& c) {
-                       const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
+                       const auto ratio = ratio_of(c);
                        if (!ratio) return number_value({});
                        Value value = number_value(ratio->value);
                        value.data = ratio->relation + value.data;

@@ -15,14 +15,6 @@
 namespace pelage {
 namespace {
 
-bool any_metric(const std::vector<Cell>& cells, const char* metric) {
-  return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.metrics.contains(metric); });
-}
-
-bool any_axis(const std::vector<Cell>& cells, const char* axis) {
-  return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(axis); });
-}
-
 /// Returns the beginning of the file names for a group of cells, such as "scaling-up-z-mine-800x600": for
 /// each key that the user changed, the last part of the key and the value; for `model` and `size` only the
 /// value.
@@ -58,9 +50,13 @@ std::vector<Section> with_baseline(const std::vector<Cell>& cells, const std::st
 
 std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string& stem,
                               const Sources& sources) {
-  if (any_metric(cells, "opengl_ratio")) return with_baseline(cells, stem, sources);
-  if (any_metric(cells, "paper_fps")) return paper_sections(cells, stem, sources);
-  if (any_axis(cells, "dynamics.topology") && any_axis(cells, "layers"))
+  const auto any = [&](auto members, const char* name) {
+    return std::any_of(cells.begin(), cells.end(),
+                       [&](const Cell& c) { return (c.*members).contains(name); });
+  };
+  if (any(&Cell::metrics, "opengl_ratio")) return with_baseline(cells, stem, sources);
+  if (any(&Cell::metrics, "paper_fps")) return paper_sections(cells, stem, sources);
+  if (any(&Cell::axes, "dynamics.topology") && any(&Cell::axes, "layers"))
     return topology_sections(cells, stem, sources);
   return case_sections(cells, stem, sources);
 }
@@ -157,7 +153,7 @@ void add_footnotes(Table& table, const ModelNote& note) {
       // marks of footnotes: a to z, then aa, ab, ...
       for (std::size_t n = marks.size(); n > 0; n = (n - 1) / 26)
         mark->second.insert(mark->second.begin(), char('a' + (n - 1) % 26));
-      table.footnotes.push_back(fmt::format("{} {}: {}", mark->second, value.data, text));
+      table.footnotes.emplace_back(mark->second, fmt::format("{}: {}", value.data, text));
     }
     value.mark = mark->second;
   }

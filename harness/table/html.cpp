@@ -78,11 +78,8 @@ std::string html_of(const Table& table) {
   }
   if (!table.footnotes.empty()) {
     text += "<ol class=\"notes\">";
-    for (const std::string& note : table.footnotes) {
-      const std::size_t space = std::min(note.find(' '), note.size());
-      text += fmt::format("<li><sup>{}</sup>{}</li>", html_text(note.substr(0, space)),
-                          html_text(note.substr(space)));
-    }
+    for (const auto& [mark, note] : table.footnotes)
+      text += fmt::format("<li><sup>{}</sup> {}</li>", html_text(mark), html_text(note));
     text += "</ol>\n";
   }
   return text;

@@ -79,10 +79,8 @@ std::string latex_of(const Table& table) {
   text += "\\bottomrule\n\\end{tabular}\n\\begin{tablenotes}\\footnotesize\n";
   if (!table.subtitle.empty()) text += fmt::format("\\item {}\n", latex_text(table.subtitle));
   for (const std::string& remark : table.remarks) text += fmt::format("\\item {}\n", latex_text(remark));
-  for (const std::string& note : table.footnotes) {
-    const std::size_t space = std::min(note.find(' '), note.size());
-    text += fmt::format("\\item[{}]{}\n", latex_text(note.substr(0, space)), latex_text(note.substr(space)));
-  }
+  for (const auto& [mark, note] : table.footnotes)
+    text += fmt::format("\\item[{}] {}\n", latex_text(mark), latex_text(note));
   return text + "\\end{tablenotes}\n\\end{threeparttable}\n";
 }
 

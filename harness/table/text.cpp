@@ -74,17 +74,15 @@ std::string text_head(const Pivot& pivot, const Pivot::Block& block, const Width
   std::string groups, values;
   for (std::size_t g = 0; g < pivot.groups.size(); ++g) {
     std::size_t sum = 0;
-    std::string line;
     for (std::size_t v = 0; v < count; ++v) {
       const std::size_t width = widths[pivot.keys.size() + g * count + v];
-      line +=
+      values +=
           std::string(v == 0 ? between_groups : between_values, ' ') + right(pivot.values[v].heading, width);
       sum += width + (v > 0 ? between_values : 0);
     }
     const std::string label = joined(pivot.groups[g]);
     groups += std::string(between_groups, ' ') +
               (count > 1 ? fmt::format("{:^{}}", label, sum) : right(label, sum));
-    values += line;
   }
   const std::string label = joined(block.label);
   if (!two_heads(pivot)) {
@@ -120,7 +118,7 @@ std::string text_of(const Table& table) {
   }
   text += "\n";
   for (const std::string& remark : table.remarks) text += remark + "\n";
-  for (const std::string& note : table.footnotes) text += note + "\n";
+  for (const auto& [mark, note] : table.footnotes) text += fmt::format("{} {}\n", mark, note);
   return text;
 }
 
