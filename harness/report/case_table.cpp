@@ -98,9 +98,9 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
       const std::string column = taken.contains(own) ? "metric." + own : own;
       const std::string heading = unit.empty() || unit == name ? own : fmt::format("{}, {}", own, unit);
       columns.push_back({{column, heading}, [name, part](const Cell& c) {
-                           const Metric* metric = c.metric(name);
-                           if (c.status != Status::ok || !metric) return number_value({});
-                           const std::optional<double> number = part(*metric);
+                           const Metric* found = c.metric(name);
+                           if (c.status != Status::ok || !found) return number_value({});
+                           const std::optional<double> number = part(*found);
                            return number && *number == double(std::int64_t(*number)) ? count_value(number)
                                                                                      : number_value(number);
                          }});
