@@ -28,4 +28,10 @@ double quantile(std::span<const double> values, double q) {
   return sorted[below] + (position - double(below)) * (sorted[above] - sorted[below]);
 }
 
+double geometric_mean(std::span<const double> values) {
+  double sum = 0;
+  for (const double value : values) sum += std::log(value);
+  return values.empty() ? 0 : std::exp(sum / double(values.size()));
+}
+
 }  // namespace pelage

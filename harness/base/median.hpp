@@ -1,4 +1,4 @@
-// The median and the quantiles of a list of numbers.
+// The median, the quantiles and the geometric mean of a list of numbers.
 #pragma once
 #include <span>
 
@@ -15,5 +15,8 @@ double median_reordering(std::span<double> values);
 /// Returns the q-quantile, 0 <= q <= 1, interpolated linearly between order statistics (type 7 of Hyndman and
 /// Fan). Needs at least one value.
 double quantile(std::span<const double> values, double q);
+
+/// Returns the geometric mean; 0 for an empty list.
+double geometric_mean(std::span<const double> values);
 
 }  // namespace pelage

@@ -21,10 +21,8 @@ bool covers(const Claim& claim, const Row& row) {
   if (!row.overrides.empty() && !claim.overridden) return false;
   return std::all_of(claim.where.begin(), claim.where.end(), [&row](const auto& condition) {
     const auto& [axis, values] = condition;
-    const auto found = row.axes.find(axis);
-    const std::string& value = found == row.axes.end() && axis == "variant" ? row.variant
-                               : found == row.axes.end()                    ? ""
-                                                                            : found->second;
+    const bool own = axis == "variant" && !row.axes.contains(axis);
+    const std::string value = own ? row.variant : value_at(row.axes, axis);
     return std::find(values.begin(), values.end(), value) != values.end();
   });
 }
@@ -33,10 +31,8 @@ bool covers(const Claim& claim, const Row& row) {
 std::string missing(const Claim& claim, const Row& row, const std::string& phase) {
   if (row.status != Status::ok)
     return fmt::format("{}{}{}", to_text(row.status), row.reason.empty() ? "" : ": ", row.reason);
-  if (claim.quantity == Quantity::metric && !row.metrics.contains(claim.metric))
-    return fmt::format("the row has no metric {}", claim.metric);
-  if (!claim.per.empty() && !row.metrics.contains(claim.per))
-    return fmt::format("the row has no metric {}", claim.per);
+  for (const std::string& name : {claim.metric, claim.per})
+    if (!name.empty() && !row.metrics.contains(name)) return fmt::format("the row has no metric {}", name);
   const bool needs_frame = claim.quantity != Quantity::metric && claim.quantity != Quantity::phase_time;
   for (const std::string& name :
        {needs_frame || claim.effect == Effect::ratio_by_phase ? phase : std::string(), claim.phase})
@@ -61,6 +57,13 @@ std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
     cells.back().name = fmt::format("{} {}", row.case_name, phase);
   }
   return cells;
+}
+
+std::uint64_t seed_of(const Cell& cell) {
+  Hash hash;
+  const Row& row = *cell.processes.front();
+  hash.text(row.experiment).text(row.case_name).text(row.variant);
+  return hash.value();
 }
 
 }  // namespace
@@ -94,17 +97,6 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
   result.cells = std::move(kept);
   return result;
 }
-
-namespace {
-
-std::uint64_t seed_of(const Cell& cell) {
-  Hash hash;
-  const Row& row = *cell.processes.front();
-  hash.text(row.experiment).text(row.case_name).text(row.variant);
-  return hash.value();
-}
-
-}  // namespace
 
 Drawing::Drawing(const Claim& claim, const Cell& cell, double spread, int separate_processes)
     : claim_(claim), random_(seed_of(cell)) {

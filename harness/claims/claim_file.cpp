@@ -8,9 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "harness/base/toml_file.hpp"
+#include "harness/base/toml_table.hpp"
 #include "harness/claims/claim.hpp"
-#include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/record/ratios.hpp"
@@ -27,13 +26,13 @@ constexpr std::array<std::string_view, 7> effects{"level",     "ratio",       "r
                                                   "linearity", "ratio-trend", "share-of-cases"};
 constexpr std::array<std::string_view, 4> combinations{"every", "geometric-mean", "mean", "median"};
 
-void read_source(Table table, Claim& claim) {
+void read_source(TomlTable table, Claim& claim) {
   claim.paper = table.text("paper");
   claim.section = table.text("section");
   table.finish();
 }
 
-void read_rows(Table table, Claim& claim) {
+void read_rows(TomlTable table, Claim& claim) {
   claim.experiments = table.list("experiment");
   if (claim.experiments.empty()) table.refuse("experiment", "experiment = \"NAME\" is missing");
   claim.where = table.lists("where");
@@ -42,7 +41,7 @@ void read_rows(Table table, Claim& claim) {
   table.finish();
 }
 
-void read_quantity(Table& table, Claim& claim) {
+void read_quantity(TomlTable& table, Claim& claim) {
   const bool by_phase = claim.effect == Effect::ratio_by_phase;
   if (by_phase && table.has("quantity"))
     table.refuse(
@@ -57,7 +56,7 @@ void read_quantity(Table& table, Claim& claim) {
   if (whole_frame && !claim.axis.empty()) claim.phases = table.values("phases");
 }
 
-void read_effect(Table table, Claim& claim) {
+void read_effect(TomlTable table, Claim& claim) {
   claim.effect = Effect(table.choice("name", effects, 0));
   const bool pairs = claim.effect == Effect::ratio || claim.effect == Effect::ratio_by_phase ||
                      claim.effect == Effect::ratio_trend;
@@ -83,7 +82,7 @@ void read_effect(Table table, Claim& claim) {
   table.finish();
 }
 
-void read_relation(Table table, Claim& claim) {
+void read_relation(TomlTable table, Claim& claim) {
   Region& region = claim.region;
   const auto single = [&](std::string_view key, std::optional<double>& limit, bool strict) {
     const auto value = table.number(key);
@@ -123,7 +122,7 @@ void read_relation(Table table, Claim& claim) {
 
 /// Reads `relation = "decreasing"`, which requires a slope below 0, or `relation = "increasing"`, which
 /// requires a slope above 0.
-void read_direction(const std::string& direction, const Table& table, Claim& claim) {
+void read_direction(const std::string& direction, const TomlTable& table, Claim& claim) {
   if (direction != "decreasing" && direction != "increasing")
     table.refuse(
         "relation",
@@ -138,7 +137,7 @@ void read_direction(const std::string& direction, const Table& table, Claim& cla
 }
 
 Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFile& settings) {
-  Table table(file, source, "claim");
+  TomlTable table(file, source, "claim");
   Claim claim;
   claim.id = table.required_text("id");
   table.rename("claim " + claim.id);
@@ -160,18 +159,21 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   read_effect(*effect, claim);
   for (std::string* name : {&claim.metric, &claim.per, &claim.along})
     *name = present_metric(*name, file.string());
-  if (!table.has("relation")) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
-  if (table.holds_text("relation"))
+  const toml::node* relation = table.get("relation");
+  if (!relation) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
+  if (relation->is_string())
     read_direction(table.text("relation"), table, claim);
-  else if (const auto relation = table.inner("relation"))
-    read_relation(*relation, claim);
+  else if (const auto inner = table.inner("relation"))
+    read_relation(*inner, claim);
   table.finish();
   return claim;
 }
 
-void read_list(const fs::path& file, const toml::table& source, ClaimFile& result,
-               std::set<std::string>& ids) {
-  const toml::array* list = source["claim"].as_array();
+/// Reads the list of claims, the only key of the table that is not read yet.
+void read_list(const fs::path& file, TomlTable& table, ClaimFile& result, std::set<std::string>& ids) {
+  const toml::node* claims = table.get("claim");
+  table.finish();
+  const toml::array* list = claims ? claims->as_array() : nullptr;
   if (!list || list->empty())
     refuse(file, nullptr, "there is no [[claim]]; docs/experiments.md describes the format");
   for (const toml::node& node : *list) {
@@ -182,36 +184,27 @@ void read_list(const fs::path& file, const toml::table& source, ClaimFile& resul
   }
 }
 
-void check_keys(const fs::path& file, const toml::table& source, const std::vector<std::string>& known) {
-  for (const auto& [key, node] : source)
-    if (key != "claim" && std::find(known.begin(), known.end(), key.str()) == known.end())
-      refuse(file, &node,
-             fmt::format("unknown key {} (known: {})", key.str(),
-                         fmt::join(known.empty() ? std::vector<std::string>{"[[claim]]"} : known, ", ")));
-}
-
 }  // namespace
 
 ClaimFile read_claims(const fs::path& file) {
   const toml::table source = read_toml(file);
+  TomlTable table(file, source, "");
   ClaimFile result;
   result.file = file;
-  check_keys(file, source, {"[[claim]]", "include", "process_spread", "separate_processes"});
-  Table settings(file, source, "settings");
-  result.process_spread = settings.number("process_spread", result.process_spread, 0, 1);
-  result.separate_processes = int(settings.number("separate_processes", result.separate_processes, 1, 1000));
+  result.process_spread = table.number("process_spread", result.process_spread, 0, 1);
+  result.separate_processes = int(table.number("separate_processes", result.separate_processes, 1, 1000));
+  const toml::node* include = table.get("include");
   std::set<std::string> ids;
-  read_list(file, source, result, ids);
-  if (!source.contains("include")) return result;
-  const toml::node& include = *source.get("include");
-  const toml::array* names = include.as_array();
+  read_list(file, table, result, ids);
+  if (!include) return result;
+  const toml::array* names = include->as_array();
   if (!names || !names->is_homogeneous<std::string>())
-    refuse(file, &include, "include must be a list of files, such as [\"more.toml\"]");
+    table.refuse("include", "include must be a list of files, such as [\"more.toml\"]");
   for (const toml::node& name : *names) {
     const fs::path other = file.parent_path() / *name.value<std::string>();
     const toml::table more = read_toml(other);
-    check_keys(other, more, {});
-    read_list(other, more, result, ids);
+    TomlTable others(other, more, "");
+    read_list(other, others, result, ids);
   }
   return result;
 }

@@ -23,20 +23,10 @@ std::optional<double> position_of(const Claim& claim, const std::string& axis, c
   if (!claim.along.empty()) {
     const auto& metrics = cell.processes.front()->metrics;
     if (const auto found = metrics.find(claim.along); found != metrics.end()) x = found->second.value;
-  } else if (const auto found = cell.axes.find(axis); found != cell.axes.end()) {
-    x = number_of(found->second);
+  } else {
+    x = number_of(value_at(cell.axes, axis));
   }
   return x && *x > 0 ? x : std::nullopt;
-}
-
-Axes without(Axes axes, const std::set<std::string>& names) {
-  for (const std::string& name : names) axes.erase(name);
-  return axes;
-}
-
-std::string value_at(const Cell& cell, const std::string& axis) {
-  const auto found = cell.axes.find(axis);
-  return found == cell.axes.end() ? std::string{} : found->second;
 }
 
 /// Returns the axes that have several values among the cells and are not in `used`.
@@ -55,7 +45,9 @@ std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std:
   std::vector<Group> groups;
   std::map<Axes, std::size_t> known;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto [place, added] = known.try_emplace(without(cells[i].axes, used), groups.size());
+    Axes axes = cells[i].axes;
+    for (const std::string& axis : used) axes.erase(axis);
+    const auto [place, added] = known.try_emplace(std::move(axes), groups.size());
     if (added) groups.emplace_back();
     groups[place->second].push_back(i);
   }
@@ -70,7 +62,7 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
                                                            std::vector<std::string>& left_out) {
   Group of, to;
   for (const std::size_t i : group) {
-    const std::string value = value_at(cells[i], claim.axis);
+    const std::string value = value_at(cells[i].axes, claim.axis);
     if (value == claim.of) of.push_back(i);
     if (value == claim.to) to.push_back(i);
   }
@@ -122,7 +114,7 @@ void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& 
   };
   if (trend) {
     std::map<std::string, Group> at;  // value of the axis `across` -> indices of cells
-    for (const std::size_t i : group) at[value_at(cells[i], axis)].push_back(i);
+    for (const std::size_t i : group) at[value_at(cells[i].axes, axis)].push_back(i);
     for (const auto& [value, members] : at)
       if (const auto pair = pair_of(claim, cells, members, left_out)) add({pair->first, pair->second});
   } else {
@@ -173,7 +165,7 @@ std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
     Part part;
     for (const std::string& axis : telling) {
       if (!part.name.empty()) part.name += ' ';
-      part.name += value_at(cells[group.front()], axis);
+      part.name += value_at(cells[group.front()].axes, axis);
     }
     if (claim.effect == Effect::ratio_trend || claim.effect == Effect::elasticity ||
         claim.effect == Effect::linearity) {
@@ -221,10 +213,8 @@ double effect_of(const Claim& claim, const Part& part, const std::vector<Value>&
 
 double combined(const Claim& claim, const std::vector<double>& effects) {
   if (claim.combine == Combine::median) return median(effects);
-  double sum = 0;
-  for (const double effect : effects) sum += claim.combine == Combine::mean ? effect : std::log(effect);
-  sum /= double(effects.size());
-  return claim.combine == Combine::mean ? sum : std::exp(sum);
+  if (claim.combine == Combine::geometric_mean) return geometric_mean(effects);
+  return std::accumulate(effects.begin(), effects.end(), 0.0) / double(effects.size());
 }
 
 }  // namespace pelage::claims

@@ -18,28 +18,13 @@ namespace {
 
 constexpr double significance = 0.05;
 
-double quantile_of_sorted(const std::vector<double>& values, double q) {
-  const double position = q * double(values.size() - 1);
-  const auto below = std::size_t(position);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (position - double(below)) * (values[above] - values[below]);
-}
-
-struct Sorted {
-  std::vector<double> draws;  // in increasing order
-  // Two-sided bootstrap p-value. The null hypothesis contradicts the measurement: if the measured effect is
-  // inside the region, the null hypothesis says that the true effect is outside, and vice versa.
-  double p = 1;
-};
-
-Sorted sorted_of(const Estimate& estimate, const Region& region) {
-  Sorted result{estimate.draws, 1};
-  std::sort(result.draws.begin(), result.draws.end());
+/// Returns the two-sided bootstrap p-value. The null hypothesis contradicts the measurement: if the measured
+/// effect is inside the region, the null hypothesis says that the true effect is outside, and vice versa.
+double p_value(const Estimate& estimate, const Region& region) {
   const bool inside = region.contains(estimate.value);
-  const auto opposite = std::count_if(result.draws.begin(), result.draws.end(),
+  const auto opposite = std::count_if(estimate.draws.begin(), estimate.draws.end(),
                                       [&](double draw) { return region.contains(draw) != inside; });
-  result.p = std::min(1.0, 2 * double(opposite + 1) / double(result.draws.size() + 1));
-  return result;
+  return std::min(1.0, 2 * double(opposite + 1) / double(estimate.draws.size() + 1));
 }
 
 }  // namespace
@@ -56,19 +41,14 @@ double margin(const Region& region, double value) {
   return least;
 }
 
-int draws_for(std::size_t effects) {
-  return int(std::max<std::size_t>(2000, 100 * effects));
-}
-
 Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
   const std::size_t count = estimates.size();
-  std::vector<Sorted> sorted;
-  sorted.reserve(count);
-  for (const Estimate& estimate : estimates) sorted.push_back(sorted_of(estimate, region));
+  std::vector<double> p;
+  p.reserve(count);
+  for (const Estimate& estimate : estimates) p.push_back(p_value(estimate, region));
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return sorted[a].p < sorted[b].p; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
 
   std::vector<Verdict> found(count, Verdict::undecided);
   std::vector<Decision> each(count);
@@ -78,8 +58,7 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
     const double rest = significance / double(count - k);
     each[i].decisive = i;
     each[i].confidence = 1 - rest;
-    each[i].interval = {quantile_of_sorted(sorted[i].draws, rest / 2),
-                        quantile_of_sorted(sorted[i].draws, 1 - rest / 2)};
+    each[i].interval = {quantile(estimates[i].draws, rest / 2), quantile(estimates[i].draws, 1 - rest / 2)};
     if (stopped) continue;
     const auto [low, high] = each[i].interval;
     if (region.contains(low, high))
@@ -106,12 +85,11 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
 
 namespace {
 
-using Machine = std::pair<std::string, std::string>;  // device, host
-
-/// Returns one estimate per part, or a single estimate if the claim combines the effects of its parts.
+/// Returns one estimate per part, or a single estimate if the claim combines the effects of its parts. More
+/// separate decisions use wider intervals, near whose limits draws are rare, and therefore need more draws.
 template <class Draw>
 std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& parts,
-                                   std::vector<Draw>& cells, int draws) {
+                                   std::vector<Draw>& cells) {
   const bool every = claim.combine == Combine::every;
   std::vector<Estimate> result(every ? parts.size() : 1);
   std::vector<Value> values(cells.size());
@@ -123,7 +101,7 @@ std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& 
   for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].measured();
   const std::vector<double> measured = compute();
   for (std::size_t e = 0; e < result.size(); ++e) result[e].value = measured[e];
-  for (int d = 0; d < draws; ++d) {
+  for (std::size_t d = 0; d < std::max<std::size_t>(2000, 100 * result.size()); ++d) {
     for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].drawn();
     const std::vector<double> drawn = compute();
     for (std::size_t e = 0; e < result.size(); ++e) result[e].draws.push_back(drawn[e]);
@@ -131,16 +109,12 @@ std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& 
   return result;
 }
 
-int draws_of(const Claim& claim, const std::vector<Part>& parts) {
-  return draws_for(claim.combine == Combine::every ? parts.size() : 1);
-}
-
 std::vector<Estimate> estimates_of(const ClaimFile& file, const Claim& claim, const std::vector<Cell>& cells,
                                    const std::vector<Part>& parts, double spread) {
   std::vector<Drawing> drawings;
   drawings.reserve(cells.size());
   for (const Cell& cell : cells) drawings.emplace_back(claim, cell, spread, file.separate_processes);
-  return estimates_of(claim, parts, drawings, draws_of(claim, parts));
+  return estimates_of(claim, parts, drawings);
 }
 
 /// Adds the effect of published frame rates, if enough cases have one.
@@ -155,7 +129,7 @@ void add_paper(Judged& judged, const std::vector<Cell>& cells) {
   if (parts.empty()) return;
   drawings.reserve(given.size());
   for (const Cell& cell : given) drawings.emplace_back(claim, cell);
-  const std::vector<Estimate> estimates = estimates_of(claim, parts, drawings, draws_of(claim, parts));
+  const std::vector<Estimate> estimates = estimates_of(claim, parts, drawings);
   const Decision decision = decide(estimates, claim.region);
   judged.paper_value = estimates[decision.decisive].value;
   judged.paper_interval = decision.interval;
@@ -238,16 +212,6 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
   }
 }
 
-Judged judge_on(const ClaimFile& file, const Claim& claim, const Machine& machine,
-                const std::vector<const Row*>& rows) {
-  Judged judged;
-  judged.claim = claim;
-  judged.device = machine.first;
-  judged.host = machine.second;
-  judge_cells(file, judged, cells_of(claim, rows));
-  return judged;
-}
-
 Judged without_rows(const Claim& claim) {
   Judged judged;
   judged.claim = claim;
@@ -261,10 +225,11 @@ Judged without_rows(const Claim& claim) {
 }  // namespace
 
 std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& rows) {
-  std::map<Machine, std::map<std::string, std::vector<const Row*>>> by_machine;  // -> experiment -> rows
+  std::map<std::pair<std::string, std::string>, std::map<std::string, std::vector<const Row*>>>
+      by_machine;  // device and host -> experiment -> rows
   for (const FoundRow& found : rows)
-    by_machine[{found.row.device, found.row.provenance.value("host", std::string())}][found.row.experiment]
-        .push_back(&found.row);
+    by_machine[{found.row.device, provenance_text(found.row, "host")}][found.row.experiment].push_back(
+        &found.row);
   std::vector<Judged> result;
   for (const Claim& claim : file.claims) {
     bool any = false;
@@ -276,7 +241,11 @@ std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& ro
           own.insert(own.end(), found->second.begin(), found->second.end());
       if (own.empty()) continue;
       any = true;
-      result.push_back(judge_on(file, claim, machine, own));
+      Judged& judged = result.emplace_back();
+      judged.claim = claim;
+      judged.device = machine.first;
+      judged.host = machine.second;
+      judge_cells(file, judged, cells_of(claim, own));
     }
     if (!any) result.push_back(without_rows(claim));
   }

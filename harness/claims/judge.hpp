@@ -41,10 +41,6 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region);
 /// The largest number of effects that judge() decides separately. More need more draws, time and memory.
 inline constexpr std::size_t most_effects = 200;
 
-/// Returns the number of bootstrap draws for `effects` separate decisions. More decisions use wider
-/// intervals, near whose limits draws are rare.
-int draws_for(std::size_t effects);
-
 /// Returns the distance of the value from the nearest limit of the region, negative outside it.
 double margin(const Region& region, double value);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "harness/table/render.hpp"
+
 namespace pelage::claims {
 namespace {
 
@@ -37,10 +39,6 @@ std::string kind_of(const Claim& claim) {
   return claim.absolute ? "absolute" : "shape";
 }
 
-Json optional_number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 /// A column of the table: its name, and a function that returns the claim's value in this column as JSON.
 struct Column {
   const char* name;
@@ -48,8 +46,8 @@ struct Column {
 };
 
 const std::vector<Column>& columns() {
-  static const auto if_measured = [](const Judged& j, const Json& field) {
-    return j.value ? field : Json(nullptr);
+  static const auto if_known = [](const std::optional<double>& value, const Json& field) {
+    return value ? field : Json(nullptr);
   };
   static const std::vector<Column> all{
       {"id", [](const Judged& j) { return Json(j.claim.id); }},
@@ -65,30 +63,21 @@ const std::vector<Column>& columns() {
       {"host", [](const Judged& j) { return Json(j.host); }},
       {"measured", [](const Judged& j) { return Json(description_of(j.claim)); }},
       {"relation", [](const Judged& j) { return Json(j.claim.relation); }},
-      {"effect", [](const Judged& j) { return optional_number(j.value); }},
-      {"low", [](const Judged& j) { return if_measured(j, j.interval.low); }},
-      {"high", [](const Judged& j) { return if_measured(j, j.interval.high); }},
-      {"confidence", [](const Judged& j) { return if_measured(j, j.confidence); }},
-      {"effects", [](const Judged& j) { return if_measured(j, j.effects); }},
-      {"least", [](const Judged& j) { return if_measured(j, j.least); }},
-      {"most", [](const Judged& j) { return if_measured(j, j.most); }},
+      {"effect", [](const Judged& j) { return if_known(j.value, j.value.value_or(0)); }},
+      {"low", [](const Judged& j) { return if_known(j.value, j.interval.low); }},
+      {"high", [](const Judged& j) { return if_known(j.value, j.interval.high); }},
+      {"confidence", [](const Judged& j) { return if_known(j.value, j.confidence); }},
+      {"effects", [](const Judged& j) { return if_known(j.value, j.effects); }},
+      {"least", [](const Judged& j) { return if_known(j.value, j.least); }},
+      {"most", [](const Judged& j) { return if_known(j.value, j.most); }},
       {"decisive", [](const Judged& j) { return Json(j.decisive); }},
-      {"processes", [](const Judged& j) { return if_measured(j, j.processes); }},
-      {"paper_effect", [](const Judged& j) { return optional_number(j.paper_value); }},
-      {"paper_low",
-       [](const Judged& j) { return j.paper_value ? Json(j.paper_interval.low) : Json(nullptr); }},
-      {"paper_high",
-       [](const Judged& j) { return j.paper_value ? Json(j.paper_interval.high) : Json(nullptr); }},
+      {"processes", [](const Judged& j) { return if_known(j.value, j.processes); }},
+      {"paper_effect", [](const Judged& j) { return if_known(j.paper_value, j.paper_value.value_or(0)); }},
+      {"paper_low", [](const Judged& j) { return if_known(j.paper_value, j.paper_interval.low); }},
+      {"paper_high", [](const Judged& j) { return if_known(j.paper_value, j.paper_interval.high); }},
       {"reason", [](const Judged& j) { return Json(j.reason); }},
       {"notes", [](const Judged& j) { return Json(fmt::format("{}", fmt::join(j.notes, "; "))); }}};
   return all;
-}
-
-/// Returns the text with every "|" escaped, for a cell of a Markdown table.
-std::string markdown_cell(const std::string& text) {
-  std::string result;
-  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
-  return result;
 }
 
 std::string counts_of(const std::vector<Judged>& judged) {
@@ -196,7 +185,7 @@ std::string markdown_of(const std::vector<Judged>& judged) {
          {name, one.claim.statement, source_of(one.claim), description_of(one.claim), effect,
           one.value ? one.claim.relation : "",
           one.paper_value ? interval_text(*one.paper_value, one.paper_interval) : "", verdict})
-      text += fmt::format(" {} |", markdown_cell(cell));
+      text += fmt::format(" {} |", escaped(cell, {{'|', "\\|"}}));
     text += "\n";
   }
   return text;

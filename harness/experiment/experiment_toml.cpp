@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "harness/base/numbers.hpp"
-#include "harness/base/toml_file.hpp"
+#include "harness/base/toml_table.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/experiment.hpp"
-#include "harness/experiment/toml_values.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -37,6 +37,40 @@ const std::set<std::string, std::less<>> columns{"case",       "clock",   "conte
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
                                                  "repeat",     "run_id",  "sample",    "samples",   "status"};
+
+/// Returns the value as TOML text. Decimal numbers have as few digits as possible: 0.05, not
+/// 0.050000000000000003.
+std::string literal(const toml::node& node) {
+  if (const auto number = node.value_exact<double>()) {
+    const std::string digits = fmt::format("{}", *number);
+    return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
+  }
+  // toml++'s formatter of arrays is not used. For numbers below 0.1, it converts a negative logarithm to an
+  // unsigned integer, which is undefined behaviour.
+  if (const auto* array = node.as_array()) {
+    std::string text;
+    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + literal(entry);
+    return "[" + text + "]";
+  }
+  if (const auto* table = node.as_table()) {
+    std::string text;
+    for (const auto& [key, entry] : *table)
+      text +=
+          (text.empty() ? "" : ", ") + literal(toml::value(std::string(key.str()))) + " = " + literal(entry);
+    return "{" + text + "}";
+  }
+  std::ostringstream text;
+  node.visit([&text](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) text << value;
+  });
+  return text.str();
+}
+
+/// Returns the text of a TOML value, without quotes if it is a string.
+std::string plain(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  return literal(node);
+}
 
 /// Returns a number as it is written in the file (0.10 stays 0.10), and plain() of other values.
 std::string as_written(const toml::node& node, const Source& source) {
@@ -116,52 +150,44 @@ std::vector<Axis> read_axes(const Source& source, const toml::table& table) {
   return axes;
 }
 
-Preset read_preset(const Source& source, const toml::table& table) {
-  const fs::path& file = source.file;
+Preset read_preset(const Source& source, std::string_view name, const toml::table& table) {
+  TomlTable in(source.file, table, fmt::format("preset {}", name));
   Preset preset;
   SamplingLimits& limits = preset.limits;
-  check_keys(file, table, "", {"axes", "least", "limit_s", "most", "precision", "warm_up_s"});
-  limits.warm_up_s = number_at(file, table, "warm_up_s", limits.warm_up_s, 0, 3600);
-  limits.least = int(number_at(file, table, "least", limits.least, 1, 1e6));
-  limits.most = int(number_at(file, table, "most", limits.most, 1, 1e6));
-  limits.precision = number_at(file, table, "precision", limits.precision, 0, 1);
-  limits.limit_s = number_at(file, table, "limit_s", limits.limit_s, 0, 86400);
+  limits.warm_up_s = in.number("warm_up_s", limits.warm_up_s, 0, 3600);
+  limits.least = int(in.number("least", limits.least, 1, 1e6));
+  limits.most = int(in.number("most", limits.most, 1, 1e6));
+  limits.precision = in.number("precision", limits.precision, 0, 1);
+  limits.limit_s = in.number("limit_s", limits.limit_s, 0, 86400);
   if (limits.most < limits.least)
-    refuse(file, table.get("most"), "the value of 'most' must not be smaller than the value of 'least'");
-  if (const toml::node* axes = table.get("axes")) {
-    if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists of values");
-    preset.axes = read_axes(source, *axes->as_table());
-  }
+    in.refuse("most", "the value of 'most' must not be smaller than the value of 'least'");
+  if (const toml::table* axes = in.table("axes")) preset.axes = read_axes(source, *axes);
+  in.finish();
   return preset;
 }
 
-View view_from_toml(const fs::path& file, const toml::table& table) {
-  check_keys(file, table, "report.",
-             {"blocks", "columns", "panels", "program", "scale", "series", "values", "x", "y"});
+View read_view(const fs::path& file, const toml::table& table) {
+  TomlTable in(file, table, "report");
   View view;
-  view.blocks = texts_at(file, table, "blocks");
-  view.columns = texts_at(file, table, "columns");
-  view.values = texts_at(file, table, "values");
-  view.x = text_at(file, table, "x", "report.");
-  view.y = texts_at(file, table, "y");
-  view.series = texts_at(file, table, "series");
-  view.panels = texts_at(file, table, "panels");
-  view.program = text_at(file, table, "program", "report.");
-  const std::vector<std::string> scale = texts_at(file, table, "scale");
+  for (const auto& [key, member] : view_lists) view.*member = in.texts(key);
+  view.x = in.text("x");
+  view.program = in.text("program");
+  const std::vector<std::string> scale = in.texts("scale");
   for (const std::string& one : scale)
     if ((one != "linear" && one != "log") || scale.size() > 2)
-      refuse(file, table.get("scale"),
-             "report.scale must be \"linear\" or \"log\", or a list of two of them, first for x, then for y");
+      in.refuse("scale",
+                "scale must be \"linear\" or \"log\", or a list of two of them, first for x, then for y");
   if (!scale.empty()) view.x_scale = scale.front(), view.y_scale = scale.back();
+  in.finish();
   return view;
 }
 
 /// Returns the least values of metrics in a table. Tables in it are ignored.
 std::map<std::string, double> least_values(const fs::path& file, const toml::table& table) {
+  TomlTable in(file, table, "require");
   std::map<std::string, double> result;
   for (const auto& [metric, node] : table)
-    if (!node.is_table())
-      result[std::string(metric.str())] = number_at(file, table, metric.str(), 0, -1e300, 1e300);
+    if (!node.is_table()) result[std::string(metric.str())] = in.number(metric.str()).value_or(0);
   return result;
 }
 
@@ -202,7 +228,7 @@ void check_require(const fs::path& file, const toml::table& table, const Experim
 }
 
 std::vector<Published> read_published(const fs::path& file, const toml::table& table) {
-  const std::string unit = text_at(file, table, "unit");
+  const std::string unit = TomlTable(file, table, "published").text("unit");
   const auto* keys = table["keys"].as_array();
   const auto* cells = table["cells"].as_array();
   if (!keys || !cells) refuse(file, &table, "[published] must have keys = [...] and cells = [[...], ...]");
@@ -327,15 +353,16 @@ Experiment read_experiment(const fs::path& file) {
         file.string(), file.filename().string()));
   Experiment result;
   result.file = file;
-  result.name = text_at(file, table, "name");
-  result.title = text_at(file, table, "title");
-  result.paper = text_at(file, table, "paper");
-  result.table = text_at(file, table, "table");
-  result.hardware = text_at(file, table, "hardware");
-  result.collection = text_at(file, table, "collection");
+  TomlTable in(file, table, "");
+  result.name = in.text("name");
+  result.title = in.text("title");
+  result.paper = in.text("paper");
+  result.table = in.text("table");
+  result.hardware = in.text("hardware");
+  result.collection = in.text("collection");
   if (!RE2::FullMatch(result.name, "[A-Za-z0-9][A-Za-z0-9._-]*"))
-    refuse(file, table.get("name"),
-           "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
+    in.refuse("name",
+              "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
   static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware", "collection"};
   static const std::set<std::string_view> tabled{"model", "layers", "size", "reading", "variant"};
 
@@ -351,13 +378,13 @@ Experiment read_experiment(const fs::path& file) {
     } else if (key == "published") {
       result.published = read_published(file, *inner);
     } else if (key == "report") {
-      result.view = view_from_toml(file, *inner);
+      result.view = read_view(file, *inner);
     } else if (key == "require") {
       read_require(file, *inner, result);
     } else if (key == "preset") {
       for (const auto& [name, preset] : *inner) {
         if (!preset.is_table()) refuse(file, &preset, fmt::format("preset.{} must be a table", name.str()));
-        result.presets[std::string(name.str())] = read_preset(source, *preset.as_table());
+        result.presets[std::string(name.str())] = read_preset(source, name.str(), *preset.as_table());
       }
     } else {
       read_tables_of_axis(file, std::string(key.str()), *inner, result);

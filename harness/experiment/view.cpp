@@ -1,14 +1,10 @@
 #include "harness/experiment/view.hpp"
 
 #include <nlohmann/json.hpp>
-#include <utility>
 
 namespace pelage {
 namespace {
 
-constexpr std::pair<const char*, std::vector<std::string> View::*> lists[] = {
-    {"blocks", &View::blocks}, {"columns", &View::columns}, {"values", &View::values},
-    {"y", &View::y},           {"series", &View::series},   {"panels", &View::panels}};
 constexpr std::pair<const char*, std::string View::*> texts[] = {
     {"x", &View::x}, {"x_scale", &View::x_scale}, {"y_scale", &View::y_scale}, {"program", &View::program}};
 
@@ -16,7 +12,7 @@ constexpr std::pair<const char*, std::string View::*> texts[] = {
 
 nlohmann::json to_json(const View& view) {
   auto json = nlohmann::json::object();
-  for (const auto& [name, member] : lists)
+  for (const auto& [name, member] : view_lists)
     if (!(view.*member).empty()) json[name] = view.*member;
   for (const auto& [name, member] : texts)
     if (!(view.*member).empty()) json[name] = view.*member;
@@ -26,7 +22,7 @@ nlohmann::json to_json(const View& view) {
 View view_from_json(const nlohmann::json& json) {
   View view;
   if (!json.is_object()) return view;
-  for (const auto& [name, member] : lists)
+  for (const auto& [name, member] : view_lists)
     if (const auto found = json.find(name); found != json.end() && found->is_array())
       for (const auto& item : *found)
         if (item.is_string()) (view.*member).push_back(item.get<std::string>());

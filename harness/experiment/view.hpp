@@ -3,6 +3,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pelage {
@@ -20,6 +21,11 @@ struct View {
   std::string program = {};  ///< name of a program in plots/ that draws a plot only for this experiment
   bool operator==(const View&) const = default;
 };
+
+/// The lists of names of columns, and their keys.
+inline constexpr std::pair<const char*, std::vector<std::string> View::*> view_lists[] = {
+    {"blocks", &View::blocks}, {"columns", &View::columns}, {"values", &View::values},
+    {"y", &View::y},           {"series", &View::series},   {"panels", &View::panels}};
 
 nlohmann::json to_json(const View& view);
 

@@ -40,10 +40,13 @@ class Body {
     if (!text.empty()) html_ += fmt::format("<p class=\"soft\">{}</p>\n", html_text(text));
   }
 
-  /// Adds a button that saves the named file from the page's data.
-  void save_button(const std::string& file, const std::string& label) {
-    html_ += fmt::format("<button type=\"button\" class=\"scripted\" data-file=\"{}\">{}</button>\n",
-                         html_text(file), html_text(label));
+  /// Adds buttons that save the named files from the page's data.
+  void save_buttons(const std::vector<std::pair<std::string, std::string>>& labels) {
+    html_ += "<p class=\"buttons\">";
+    for (const auto& [file, label] : labels)
+      html_ += fmt::format("<button type=\"button\" class=\"scripted\" data-file=\"{}\">{}</button>\n",
+                           html_text(file), html_text(label));
+    html_ += "</p>\n";
   }
 
   /// Adds a "details" element, which shows the text after a click on the title.
@@ -105,10 +108,10 @@ void add_plot(Body& body, const Report& report, const ReportPlot& plot, const st
   // The caption omits the part of the plot's title after ": ". The page already
   // shows this part above the plot, as the subtitle of the table.
   body.add(fmt::format(
-      "<figure class=\"plot\">\n<figcaption>{}</figcaption>\n<svg role=\"img\" aria-label=\"{}\" {}\n<p class=\"buttons\">",
+      "<figure class=\"plot\">\n<figcaption>{}</figcaption>\n<svg role=\"img\" aria-label=\"{}\" {}\n",
       html_text(plot.title.substr(0, plot.title.find(": "))), html_text(plot.title), svg.substr(start + 5)));
-  body.save_button(table, "CSV of the plot");
-  body.add("</p>\n</figure>\n");
+  body.save_buttons({{table, "CSV of the plot"}});
+  body.add("</figure>\n");
 }
 
 /// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ", or else the name of the experiment.
@@ -121,10 +124,9 @@ void add_table(Body& body, const Table& table, bool latex) {
   body.heading(table.title, 2, detail_of(table.subtitle));
   body.remark(table.subtitle);
   body.add(html_of(table));
-  body.add("<p class=\"buttons\">");
-  body.save_button(table.stem + ".csv", "CSV");
-  if (latex) body.save_button(table.stem + ".tex", "LaTeX");
-  body.add("</p>\n");
+  std::vector<std::pair<std::string, std::string>> buttons{{table.stem + ".csv", "CSV"}};
+  if (latex) buttons.emplace_back(table.stem + ".tex", "LaTeX");
+  body.save_buttons(buttons);
 }
 
 void add_claims(Body& body, const Report& report) {
@@ -147,9 +149,8 @@ void add_claims(Body& body, const Report& report) {
         one.value ? html_text(one.claim.relation) : "–", html_text(one.claim.paper),
         html_text(one.claim.section)));
   }
-  body.add("</tbody></table></div>\n<p class=\"buttons\">");
-  body.save_button("claims.csv", "CSV");
-  body.add("</p>\n");
+  body.add("</tbody></table></div>\n");
+  body.save_buttons({{"claims.csv", "CSV"}});
 }
 
 void add_report(Body& body, const Report& report) {
@@ -198,7 +199,6 @@ void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts
 
 std::string row_html(const Row& row, std::size_t index) {
   const std::vector<double> times = frame_ms(row);
-  const std::string host = row.provenance.value("host", std::string());
   const std::string time =
       times.empty()
           ? fmt::format("<td class=\"bad\" data-sort=\"\">{}</td>", to_text(row.status))
@@ -221,9 +221,8 @@ void add_rows(Body& body, const std::vector<Report>& reports) {
   std::size_t index = 0;
   for (const Report& report : reports)
     for (const FoundRow& found : report.rows) body.add(row_html(found.row, index++));
-  body.add("</tbody></table></div>\n<p class=\"buttons\">");
-  body.save_button("rows.jsonl", "All rows as JSON lines");
-  body.add("</p>\n");
+  body.add("</tbody></table></div>\n");
+  body.save_buttons({{"rows.jsonl", "All rows as JSON lines"}});
 }
 
 void add_failures(Body& body, const std::vector<Report>& reports) {

@@ -14,6 +14,7 @@
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/report/case_table.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
@@ -154,7 +155,7 @@ using Json = nlohmann::ordered_json;
 std::string label_of(const Cell& cell) {
   std::string text = name_of(cell);
   if (!cell.variant.empty()) text += ", " + cell.variant;
-  if (!cell.overrides.empty()) text += "; changed: " + changes_of(cell);
+  if (!cell.overrides.empty()) text += "; changed: " + changes_of(cell.overrides);
   return text;
 }
 
@@ -198,10 +199,7 @@ std::string data_of(const std::vector<Report>& reports) {
   // The page contains this JSON text in a "script" element, where "</script" and "<!--" have a special
   // meaning. So every "<" is escaped. In JSON, "<" occurs only in strings, where the escape \u003c has the
   // same meaning.
-  std::string escaped;
-  escaped.reserve(text.size() + text.size() / 50);
-  for (const char c : text) escaped += c == '<' ? std::string_view("\\u003c") : std::string_view(&c, 1);
-  return escaped;
+  return escaped(text, {{'<', "\\u003c"}});
 }
 
 }  // namespace pelage

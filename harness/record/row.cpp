@@ -234,6 +234,11 @@ Row row_from_line(std::string_view line) {
   }
 }
 
+std::string value_at(const std::map<std::string, std::string>& values, const std::string& key) {
+  const auto found = values.find(key);
+  return found == values.end() ? std::string{} : found->second;
+}
+
 std::string provenance_text(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();

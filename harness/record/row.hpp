@@ -81,6 +81,9 @@ struct NewerSchema : InputError {
 /// other (harness/record/contradiction.hpp), or a schema that this version of pelage does not read.
 Row row_from_line(std::string_view line);
 
+/// Returns the value of the axis or of another key; "" if `values` lacks it.
+std::string value_at(const std::map<std::string, std::string>& values, const std::string& key);
+
 /// Returns the text or number that the provenance of the row stores under `key`; "" or no value without it.
 std::string provenance_text(const Row& row, const char* key);
 std::optional<double> provenance_number(const Row& row, const char* key);

@@ -48,7 +48,7 @@ std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
 
 /// Makes the section of an experiment that compares variants: one row per variant, the fastest first, and
 /// groups of columns for the values of all axes that vary.
-Section of_variants(std::vector<Cell> cells) {
+Section of_variants(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
   const auto means = by_fastest(cells);
   const auto mean = [&](const Cell& c) -> std::optional<double> {
     const auto found = means.find(c.variant);
@@ -64,37 +64,30 @@ Section of_variants(std::vector<Cell> cells) {
                        if (mean(c)) value.shown = fmt::format("{:.2f}", *mean(c));
                        return value;
                      }});
-  Section section{table_of(cells, columns), {}};
-  section.table.layout = {{}, {"variant", "by_fastest"}, {}, {"median_ms"}};
-  for (const std::string& key : varying_keys(section.table, cells))
-    if (key != "variant") section.table.layout.groups.push_back(key);
-  section.table.remarks = {
-      "times: frame time of the variant divided by the frame time of the fastest variant with a correct picture (geometric mean over the cases)."};
-  return section;
+  Layout layout{{}, {"variant", "by_fastest"}, {}, {"median_ms"}};
+  for (const std::string& key : varying_keys(table_of(cells, columns), cells))
+    if (key != "variant") layout.groups.push_back(key);
+  return section_of(
+      cells, columns, stem, sources, layout,
+      {"times: frame time of the variant divided by the frame time of the fastest variant with a correct picture (geometric mean over the cases)."});
 }
 
 /// Makes a section that normally has one row per case. But if the last key column that varies has no more
 /// than `most_groups` values, each of these values becomes a group of columns.
-Section of_cases(std::vector<Cell> cells, const View& view) {
+Section of_cases(std::vector<Cell> cells, const View& view, const std::string& stem, const Sources& sources) {
   sort_cells(cells);
-  Section section{table_of(cells, case_columns(cells)), {}};
-  Layout& layout = section.table.layout;
-  layout.blocks = present(section.table, view.blocks);
-  layout.groups = present(section.table, view.columns);
-  layout.values = present(section.table, metric_columns(section.table, view.values));
-  const std::vector<std::string> keys = varying_keys(section.table, cells);
-  if (layout.groups.empty() && keys.size() >= 2 &&
-      values_of(section.table, keys.back()).size() <= most_groups &&
+  const auto columns = case_columns(cells);
+  const Table table = table_of(cells, columns);
+  Layout layout{present(table, view.blocks),
+                {},
+                present(table, view.columns),
+                present(table, metric_columns(table, view.values))};
+  const std::vector<std::string> keys = varying_keys(table, cells);
+  if (layout.groups.empty() && keys.size() >= 2 && values_of(table, keys.back()).size() <= most_groups &&
       std::find(layout.blocks.begin(), layout.blocks.end(), keys.back()) == layout.blocks.end())
     layout.groups = {keys.back()};
   if (layout.values.empty()) layout.values = {"median_ms"};
-  add_varying_keys(section.table, cells);
-  if (const auto model = std::find(layout.rows.begin(), layout.rows.end(), "model");
-      model != layout.rows.end() && column_of(section.table, "triangles") >= 0)
-    layout.rows.insert(model + 1, "triangles");
-  if (layout.rows.empty()) layout.rows = present(section.table, {"model"});
-  if (layout.rows.empty()) layout.rows = {"variant"};
-  return section;
+  return section_of(cells, columns, stem, sources, layout, {});
 }
 
 /// Returns a remark with the number of time steps per frame (metric substeps) of each variant: "Time steps
@@ -150,18 +143,14 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
   }
   const bool about_variants =
       view == View{} && variants.size() >= fewest_variants && others.size() <= most_groups;
-  Section section = about_variants ? of_variants(cells) : of_cases(cells, view);
+  Section section = about_variants ? of_variants(cells, stem, sources) : of_cases(cells, view, stem, sources);
   Table& table = section.table;
-  table.title = title_of(cells);
-  table.subtitle = subtitle_of(cells, sources.several_hosts);
-  table.stem = stem;
   for (const std::string& name : table.layout.values) show_interval(table, name);
-  add_footnotes(table, sources.note);
   std::vector<std::string> explained = value_remarks(table.layout.values);
   table.remarks.insert(table.remarks.begin(), explained.begin(), explained.end());
-  if (std::string steps = steps_remark(cells); !steps.empty()) table.remarks.push_back(std::move(steps));
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
-  if (std::string drift = drift_remark(cells); !drift.empty()) table.remarks.push_back(std::move(drift));
+  add_remarks(table, {steps_remark(cells)});
+  add_remarks(table, mark_remarks(cells));
+  add_remarks(table, {drift_remark(cells)});
   section.plots = plots_of(table, cells, view, *sources.notes);
   return {std::move(section)};
 }

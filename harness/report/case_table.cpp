@@ -98,9 +98,9 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
       const std::string column = taken.contains(own) ? "metric." + own : own;
       const std::string heading = unit.empty() || unit == name ? own : fmt::format("{}, {}", own, unit);
       columns.push_back({{column, heading}, [name, part](const Cell& c) {
-                           const auto found = c.metrics.find(name);
-                           if (c.status != Status::ok || found == c.metrics.end()) return number_value({});
-                           const std::optional<double> number = part(found->second);
+                           const Metric* found = c.metric(name);
+                           if (c.status != Status::ok || !found) return number_value({});
+                           const std::optional<double> number = part(*found);
                            return number && *number == double(std::int64_t(*number)) ? count_value(number)
                                                                                      : number_value(number);
                          }});
@@ -130,8 +130,7 @@ std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells)
   std::map<std::string, double> counts;
   for (const Cell& c : cells) {
     double& count = counts[c.axis("model")];
-    if (const auto found = c.metrics.find("triangles"); found != c.metrics.end())
-      count = std::max(count, found->second.value);
+    if (const Metric* metric = c.metric("triangles")) count = std::max(count, metric->value);
   }
   return counts;
 }
@@ -184,7 +183,7 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   text("experiment", [](const Cell& c) { return c.experiment; });
   text("device", [](const Cell& c) { return c.device; });
   text("host", [](const Cell& c) { return c.host; });
-  text("changed", [](const Cell& c) { return changes_of(c); });
+  text("changed", [](const Cell& c) { return changes_of(c.overrides); });
   text("status", [](const Cell& c) { return std::string(to_text(c.status)); });
   const auto time = [&](const char* name, const char* heading, bool starred, double (*of)(const Cell&)) {
     columns.push_back(time_column(name, heading, starred, of));
@@ -275,7 +274,7 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
   }
   if (any.variant != default_variant && shared([](const Cell& c) { return c.variant; }))
     text += ", variant " + any.variant;
-  if (!any.overrides.empty()) text += "; changed: " + changes_of(any);
+  if (!any.overrides.empty()) text += "; changed: " + changes_of(any.overrides);
   return text;
 }
 
@@ -311,13 +310,13 @@ std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {
   return remarks;
 }
 
-std::string name_of(const Cell& cell) {
+std::string name_of(const Cell& cell, const std::string& but) {
   std::vector<std::pair<std::string, std::string>> axes(cell.axes.begin(), cell.axes.end());
   std::stable_sort(axes.begin(), axes.end(),
                    [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
   std::string text;
   for (const auto& [axis, value] : axes) {
-    if (axis == "variant" || (axis == "reading" && value == "default")) continue;
+    if (axis == "variant" || axis == but || (axis == "reading" && value == "default")) continue;
     text += text.empty() ? "" : ", ";
     // A word such as "sticks" names itself, but a number needs the name of its axis.
     text += number_of(value) ? with_value(axis_column(axis), value) : value;
@@ -362,13 +361,8 @@ std::vector<std::string> view_warnings(const View& view, const std::map<std::str
           key, name, near));
     }
   };
-  check("blocks", view.blocks);
-  check("columns", view.columns);
-  check("values", view.values);
   if (!view.x.empty()) check("x", {view.x});
-  check("y", view.y);
-  check("series", view.series);
-  check("panels", view.panels);
+  for (const auto& [key, member] : view_lists) check(key, view.*member);
   return warnings;
 }
 

@@ -56,8 +56,9 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts);
 void sort_cells(std::vector<Cell>& cells);
 
 /// Returns the values of the cell's axes as text, for example "torus, curl.radius 0.02, 16 layers, 800x600".
-/// A number has the name of its axis. The text does not contain the variant, nor the reading "default".
-std::string name_of(const Cell& cell);
+/// A number has the name of its axis. The text does not contain the variant, nor the reading "default", nor
+/// the axis `but`.
+std::string name_of(const Cell& cell, const std::string& but = "");
 
 /// Returns the marks of the cell's times: "*" if the median did not converge, "!" if other processes
 /// disturbed the timing, "*!" for both.

@@ -116,7 +116,9 @@ void summarize_times(Cell& cell) {
   cell.interval_ms = nested_median_interval(cell.timings.processes, 1);
 }
 
-void summarize(Cell& cell, const Samples& samples) {
+void summarize(Cell& cell, const std::vector<FoundRow>& rows) {
+  Samples samples;
+  for (const std::size_t r : cell.rows) samples.add(rows[r].row);
   for (const auto& [name, values] : samples.metrics) {
     cell.metrics[name] = combined_metric(values);
     for (const Metric& metric : values) cell.runs[name].push_back(metric.value);
@@ -131,8 +133,7 @@ void summarize(Cell& cell, const Samples& samples) {
 }  // namespace
 
 std::string Cell::axis(const std::string& key) const {
-  const auto found = axes.find(key);
-  return found == axes.end() ? std::string{} : found->second;
+  return value_at(axes, key);
 }
 
 std::string Cell::reading() const {
@@ -140,37 +141,42 @@ std::string Cell::reading() const {
   return value.empty() ? "default" : value;
 }
 
-std::optional<Metric> Cell::paper_fps() const {
-  const auto found = metrics.find("paper_fps");
-  if (found == metrics.end()) return {};
-  return found->second;
+const Metric* Cell::metric(const std::string& name) const {
+  const auto found = metrics.find(name);
+  return found == metrics.end() ? nullptr : &found->second;
 }
 
-std::string changes_of(const Cell& cell) {
+const Cell* counterpart(const std::vector<Cell>& cells, const Cell& like, const std::string& axis,
+                        const std::string& value) {
+  std::map<std::string, std::string> axes = like.axes;
+  axes[axis] = value;
+  const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
+    return timed(c) && c.axes == axes && c.variant == like.variant && c.device == like.device &&
+           c.host == like.host;
+  });
+  return found == cells.end() ? nullptr : &*found;
+}
+
+std::string changes_of(const std::map<std::string, std::string>& overrides, std::string_view separator) {
   std::string text;
-  for (const auto& [key, value] : cell.overrides)
-    text += fmt::format("{}{}={}", text.empty() ? "" : "; ", key, value);
+  for (const auto& [key, value] : overrides)
+    text += fmt::format("{}{}={}", text.empty() ? "" : separator, key, value);
   return text;
 }
 
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   std::vector<Cell> cells;
-  std::vector<Samples> samples;  // one per cell
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const FoundRow& found = rows[r];
     Cell cell = cell_of(found);
     auto place = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
       return names(c) == names(cell) && c.identity == cell.identity;
     });
-    if (place == cells.end()) {
-      place = cells.insert(place, std::move(cell));
-      samples.emplace_back();
-    }
+    if (place == cells.end()) place = cells.insert(place, std::move(cell));
     place->rows.push_back(r);
     add(*place, found.row);
-    samples[std::size_t(place - cells.begin())].add(found.row);
   }
-  for (std::size_t i = 0; i < cells.size(); ++i) summarize(cells[i], samples[i]);
+  for (Cell& cell : cells) summarize(cell, rows);
   std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return std::tie(a.experiment, a.device, a.host) < std::tie(b.experiment, b.device, b.host);
   });
@@ -199,7 +205,7 @@ void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, cons
 }
 
 std::optional<Ratio> ratio_of(const Cell& cell) {
-  const std::optional<Metric> paper = cell.paper_fps();
+  const Metric* paper = cell.metric("paper_fps");
   if (!paper || cell.median_ms <= 0) return {};
   Ratio ratio{cell.fps() / paper->value, paper->relation == "<" ? ">" : "", {}, {}};
   if (paper->high) ratio.low = 1000 / cell.interval_ms.high / *paper->high;

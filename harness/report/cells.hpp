@@ -46,7 +46,7 @@ struct Cell {
   /// Value of the axis "reading"; "default" if the cell has no such axis.
   std::string reading() const;
   std::string axis(const std::string& key) const;  ///< value of the axis; "" if the cell has no such axis
-  std::optional<Metric> paper_fps() const;
+  const Metric* metric(const std::string& name) const;  ///< null if the cell has no such metric
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
 };
 
@@ -54,8 +54,14 @@ inline bool timed(const Cell& cell) {
   return cell.status == Status::ok && cell.median_ms > 0;
 }
 
+/// Returns the timed cell of the same variant, device and host that differs from `like` only in the axis, of
+/// which it has the value `value`; null if there is none.
+const Cell* counterpart(const std::vector<Cell>& cells, const Cell& like, const std::string& axis,
+                        const std::string& value);
+
 /// Returns the settings that the user changed on the command line: "fur.length=0.1; size=800x600".
-std::string changes_of(const Cell& cell);
+std::string changes_of(const std::map<std::string, std::string>& overrides,
+                       std::string_view separator = "; ");
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
 /// which they first occur in the rows. Only rows with equal identities are combined.

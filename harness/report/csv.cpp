@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
+#include "harness/report/cells.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -26,19 +26,6 @@ struct Columns {
     }
   }
 };
-
-std::string overrides_text(const Row& row) {
-  std::string text;
-  for (const auto& [key, value] : row.overrides)
-    text += fmt::format("{}{}={}", text.empty() ? "" : ";", key, value);
-  return text;
-}
-
-std::string of_provenance(const Row& row, const char* key) {
-  const auto found = row.provenance.find(key);
-  if (found == row.provenance.end()) return {};
-  return found->is_string() ? found->get<std::string>() : found->dump();
-}
 
 std::string contended_text(const Row& row) {
   if (!row.provenance.contains("other_cpu_share")) return {};
@@ -58,11 +45,11 @@ std::vector<std::string> head(const Columns& columns, std::vector<std::string> r
 
 std::vector<std::string> body(const Columns& columns, const Row& row, const std::vector<std::string>& rest) {
   std::vector<std::string> fields{row.experiment, row.case_name, row.variant};
-  for (const std::string& key : columns.axes)
-    fields.push_back(row.axes.contains(key) ? row.axes.at(key) : "");
-  for (std::string text : {overrides_text(row), row.device, of_provenance(row, "host"), row.run_id,
-                           std::to_string(row.repeat), of_provenance(row, "preset"), hash_of(row.identity),
-                           std::string(to_text(row.status)), row.reason, contended_text(row)})
+  for (const std::string& key : columns.axes) fields.push_back(value_at(row.axes, key));
+  for (std::string text :
+       {changes_of(row.overrides, ";"), row.device, provenance_text(row, "host"), row.run_id,
+        std::to_string(row.repeat), provenance_text(row, "preset"), hash_of(row.identity),
+        std::string(to_text(row.status)), row.reason, contended_text(row)})
     fields.push_back(std::move(text));
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics)
@@ -70,15 +57,20 @@ std::vector<std::string> body(const Columns& columns, const Row& row, const std:
   return fields;
 }
 
-/// Calls `use(phase, clock, samples)` for every list of times in the row.
-void each_list(
-    const Row& row,
-    const std::function<void(const std::string&, const std::string&, const std::vector<double>&)>& use) {
+struct TimeList {
+  std::string phase, clock;
+  const std::vector<double>& times;
+};
+
+/// Returns the lists of times in the row that are not empty.
+std::vector<TimeList> lists_of(const Row& row) {
+  std::vector<TimeList> lists;
   for (const auto& [phase, samples] : row.samples) {
-    if (!samples.wall_ms.empty()) use(phase, "wall", samples.wall_ms);
-    if (!samples.event_ms.empty()) use(phase, "event", samples.event_ms);
-    if (!samples.cpu_ms.empty()) use(phase, "cpu", samples.cpu_ms);
+    if (!samples.wall_ms.empty()) lists.push_back({phase, "wall", samples.wall_ms});
+    if (!samples.event_ms.empty()) lists.push_back({phase, "event", samples.event_ms});
+    if (!samples.cpu_ms.empty()) lists.push_back({phase, "cpu", samples.cpu_ms});
   }
+  return lists;
 }
 
 }  // namespace
@@ -92,13 +84,13 @@ std::string csv_by_phase(const std::vector<FoundRow>& rows) {
       text += csv_line(body(columns, row, {"frame", "wall", "0", "", "", ""}));
       continue;
     }
-    each_list(row, [&](const std::string& phase, const std::string& clock, const std::vector<double>& times) {
+    for (const auto& [phase, clock, times] : lists_of(row)) {
       const Interval interval = median_interval(times);
       text +=
           csv_line(body(columns, row,
                         {phase, clock, std::to_string(times.size()), fmt::format("{:.10g}", median(times)),
                          fmt::format("{:.10g}", interval.low), fmt::format("{:.10g}", interval.high)}));
-    });
+    }
   }
   return text;
 }
@@ -108,12 +100,10 @@ std::string csv_by_sample(const std::vector<FoundRow>& rows) {
   std::string text = csv_line(head(columns, {"phase", "clock", "sample", "ms"}));
   for (const FoundRow& found : rows) {
     if (found.row.status != Status::ok) continue;
-    each_list(found.row,
-              [&](const std::string& phase, const std::string& clock, const std::vector<double>& times) {
-                for (std::size_t i = 0; i < times.size(); ++i)
-                  text += csv_line(body(columns, found.row,
-                                        {phase, clock, std::to_string(i), fmt::format("{:.10g}", times[i])}));
-              });
+    for (const auto& [phase, clock, times] : lists_of(found.row))
+      for (std::size_t i = 0; i < times.size(); ++i)
+        text += csv_line(
+            body(columns, found.row, {phase, clock, std::to_string(i), fmt::format("{:.10g}", times[i])}));
   }
   return text;
 }
@@ -122,7 +112,7 @@ namespace {
 
 std::string names_of(const Row& row) {
   std::string text = fmt::format("{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
-                                 row.provenance.value("host", std::string()));
+                                 provenance_text(row, "host"));
   for (const auto& [key, value] : row.overrides) text += fmt::format("|{}={}", key, value);
   return text;
 }

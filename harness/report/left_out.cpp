@@ -26,7 +26,7 @@ std::string first_line(const std::string& text) {
 
 std::string place_of(const Cell& cell) {
   std::string place = fmt::format("{} on {}", cell.variant, cell.device);
-  if (const std::string changes = changes_of(cell); !changes.empty())
+  if (const std::string changes = changes_of(cell.overrides); !changes.empty())
     place += fmt::format("; changed: {}", changes);
   return place;
 }

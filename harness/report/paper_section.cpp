@@ -17,14 +17,14 @@ std::optional<double> ms_of(std::optional<double> fps) {
 
 CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metric& paper)) {
   return {{name, name}, [number](const Cell& c) {
-            const auto paper = c.paper_fps();
+            const Metric* paper = c.metric("paper_fps");
             return number_value(paper ? number(*paper) : std::nullopt);
           }};
 }
 
 CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Ratio& ratio)) {
   return {{name, name}, [number](const Cell& c) {
-            const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
+            const auto ratio = ratio_of(c);
             return number_value(ratio ? number(*ratio) : std::nullopt);
           }};
 }
@@ -35,10 +35,12 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   std::erase_if(columns, [](const CellColumn& c) { return c.column.name.starts_with("paper_fps"); });
   for (CellColumn& c : columns)
     if (c.column.name == "fps") c.column.heading = "ours";
-  columns.push_back({{"paper_relation", "paper_relation"},
-                     [](const Cell& c) { return text_value(c.paper_fps().value_or(Metric{}).relation); }});
+  columns.push_back({{"paper_relation", "paper_relation"}, [](const Cell& c) {
+                       const Metric* paper = c.metric("paper_fps");
+                       return text_value(paper ? paper->relation : "");
+                     }});
   columns.push_back({{"paper_fps", "paper"}, [](const Cell& c) {
-                       const auto paper = c.paper_fps();
+                       const Metric* paper = c.metric("paper_fps");
                        if (!paper) return number_value({});
                        return Value{fmt::format("{:g}", paper->value), published_text(*paper)};
                      }});
@@ -48,7 +50,7 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   columns.push_back(of_paper("paper_ms_low", [](const Metric& m) { return ms_of(m.high); }));
   columns.push_back(of_paper("paper_ms_high", [](const Metric& m) { return ms_of(m.low); }));
   columns.push_back({{"ratio", "ratio"}, [](const Cell& c) {
-                       const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
+                       const auto ratio = ratio_of(c);
                        if (!ratio) return number_value({});
                        Value value = number_value(ratio->value);
                        value.data = ratio->relation + value.data;
@@ -71,10 +73,10 @@ Section paper_section(std::vector<Cell> cells, const std::string& stem, const So
     remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
                                   experiment.table.empty() ? "the paper" : experiment.table,
                                   experiment.hardware));
-  Section section =
-      section_of(cells, paper_columns(cells), stem, sources,
-                 {{"layers"}, {"model", "triangles"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
+  Section section = section_of(cells, paper_columns(cells), stem, sources,
+                               {{"layers"}, {"model"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
   Table& table = section.table;
+  add_remarks(table, mark_remarks(cells));
   if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
   if (any.reading() != "default") table.stem += "-" + any.reading();
   if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);

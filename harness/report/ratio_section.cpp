@@ -12,14 +12,8 @@ namespace pelage {
 namespace {
 
 std::optional<double> ratio_of_pipelines(const Cell& c) {
-  const auto found = c.metrics.find("opengl_ratio");
-  return c.status == Status::ok && found != c.metrics.end() ? std::optional(found->second.value)
-                                                            : std::nullopt;
-}
-
-std::string name_without_reading(Cell cell) {
-  cell.axes.erase("reading");
-  return name_of(cell);
+  const Metric* ratio = c.metric("opengl_ratio");
+  return c.status == Status::ok && ratio ? std::optional(ratio->value) : std::nullopt;
 }
 
 /// Returns the geometric mean of the ratios of each separate run; nothing if the cells have different numbers
@@ -70,7 +64,7 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
             ? fmt::format(
                   "{}the ratios have the geometric mean {:.2f} over {} of {} cells ({}) and the minimum {:.2f} ({}).",
                   name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
-                  *ratio_of_pipelines(*least), name_without_reading(*least))
+                  *ratio_of_pipelines(*least), name_of(*least, "reading"))
             : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
                           members.size()));
   }
@@ -81,18 +75,14 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
 /// by that with `reading = "plain"`, which has neither. Returns "" if no case was timed with both.
 std::string overhead_of(const std::vector<Cell>& cells) {
   std::vector<double> ours, opengl;
-  for (const Cell& coat : cells)
-    for (const Cell& plain : cells) {
-      if (coat.reading() != "default" || plain.reading() != "plain" ||
-          name_without_reading(coat) != name_without_reading(plain) || coat.variant != plain.variant)
-        continue;
-      const auto a = coat.phase_ms.find("opengl"), b = plain.phase_ms.find("opengl");
-      if (!ratio_of_pipelines(coat) || !ratio_of_pipelines(plain) || a == coat.phase_ms.end() ||
-          b == plain.phase_ms.end())
-        continue;
-      ours.push_back(coat.median_ms / plain.median_ms);
-      opengl.push_back(a->second / b->second);
-    }
+  for (const Cell& coat : cells) {
+    const Cell* plain = coat.reading() == "default" ? counterpart(cells, coat, "reading", "plain") : nullptr;
+    if (!plain || !ratio_of_pipelines(coat) || !ratio_of_pipelines(*plain)) continue;
+    const auto a = coat.phase_ms.find("opengl"), b = plain->phase_ms.find("opengl");
+    if (a == coat.phase_ms.end() || b == plain->phase_ms.end()) continue;
+    ours.push_back(coat.median_ms / plain->median_ms);
+    opengl.push_back(a->second / b->second);
+  }
   if (ours.empty()) return {};
   return fmt::format(
       "Frames with curls and clumps take {:.2f} times the time of plain shells in OpenCL, and {:.2f} times in OpenGL (geometric means of {} cells).",
@@ -120,14 +110,14 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
       std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return !c.renderer.empty(); });
   Section section = section_of(
       cells, columns, stem + "-ratio", sources,
-      {{"reading"}, {"model", "triangles"}, {"layers", "size"}, {"opengl_ratio"}},
+      {{"reading"}, {"model"}, {"layers", "size"}, {"opengl_ratio"}},
       {fmt::format(
           "Time of the paper's pipeline ({}) divided by ours, for the same picture in the same round: median over the rounds, and its 95% interval.",
           renderer == cells.end() ? "OpenGL" : renderer->renderer)});
   Table& table = section.table;
-  for (std::string& sentence : means_of(cells)) table.remarks.push_back(std::move(sentence));
-  if (std::string sentence = overhead_of(cells); !sentence.empty())
-    table.remarks.push_back(std::move(sentence));
+  add_remarks(table, mark_remarks(cells));
+  add_remarks(table, means_of(cells));
+  add_remarks(table, {overhead_of(cells)});
   View view = view_of(cells);
   if (view == View{})
     view = {.x = column_of(table, "model") >= 0 ? "model" : "",

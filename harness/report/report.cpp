@@ -112,7 +112,7 @@ void copy_pictures(Report& report, const fs::path& folder) {
   };
   for (const Cell& c : report.cells) {
     if (c.status != Status::ok || !fs::is_regular_file(c.image)) continue;
-    const Cell*& chosen = best[{c.experiment, c.reading(), c.axis("model"), changes_of(c)}];
+    const Cell*& chosen = best[{c.experiment, c.reading(), c.axis("model"), changes_of(c.overrides)}];
     if (!chosen || rank(c) < rank(*chosen)) chosen = &c;
   }
   for (const auto& [key, cell] : best) {
@@ -146,18 +146,6 @@ void note_copies(Report& report, const std::vector<FoundRow>& rows) {
   if (copied > 0)
     report.notes.push_back(fmt::format(
         "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
-}
-
-std::size_t devices_of(const std::vector<Cell>& cells) {
-  std::set<std::string> devices;
-  for (const Cell& c : cells) devices.insert(c.device);
-  return devices.size();
-}
-
-std::size_t hosts_of(const std::vector<Cell>& cells) {
-  std::set<std::pair<std::string, std::string>> hosts;
-  for (const Cell& c : cells) hosts.emplace(c.device, c.host);
-  return hosts.size();
 }
 
 /// Writes the verdicts on the papers' claims to tables/claims.csv, without claims about experiments that are
@@ -206,9 +194,14 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   note_copies(report, rows);
   note_load(report, rows);
   report.cells = cells_of(rows);
-  Sources sources{note, devices_of(report.cells) > 1, hosts_of(report.cells) > devices_of(report.cells),
-                  &report.notes};
-  report.sections = sections_of(report.cells, sources);
+  std::set<std::string> devices;
+  std::set<std::pair<std::string, std::string>> machines;
+  for (const Cell& c : report.cells) {
+    devices.insert(c.device);
+    machines.emplace(c.device, c.host);
+  }
+  report.sections =
+      sections_of(report.cells, {note, devices.size() > 1, machines.size() > devices.size(), &report.notes});
   drop_other_pictures(report.cells, left_out);
   copy_pictures(report, folder);
   for (LeftOut& one : without_numbers(report.cells, rows)) left_out.push_back(std::move(one));

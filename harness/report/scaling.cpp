@@ -16,8 +16,8 @@ namespace {
 constexpr double most_for_doubling = 2.05, most_for_64_by_16 = 3.3;
 
 double metric(const Cell& cell, const std::string& name) {
-  const auto found = cell.metrics.find(name);
-  return found == cell.metrics.end() ? 0 : found->second.value;
+  const Metric* found = cell.metric(name);
+  return found ? found->value : 0;
 }
 
 int layers_of(const Cell& cell) {
@@ -27,16 +27,6 @@ int layers_of(const Cell& cell) {
 std::array<int, 2> size_of(const Cell& cell) {
   const Size size = size_from_text(cell.axis("size")).value_or(Size{});
   return {size.width, size.height};
-}
-
-/// Returns the cell with `layers` layers that is otherwise like the cell `like`; null if there is none.
-const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int layers) {
-  const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
-    return c.device == like.device && c.host == like.host && c.variant == like.variant &&
-           c.axis("model") == like.axis("model") && c.axis("size") == like.axis("size") &&
-           layers_of(c) == layers;
-  });
-  return found == cells.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -49,7 +39,7 @@ std::vector<Cell> scaling_cells(const std::vector<Cell>& cells) {
     if (added) place->second = view_of({c}).program == "scaling";
     if (place->second && c.median_ms > 0 && metric(c, "triangles") > 0 && layers_of(c) > 0 &&
         size_of(c)[1] > 0)
-      by_changes[changes_of(c)].push_back(c);
+      by_changes[changes_of(c.overrides)].push_back(c);
   }
   const auto most = std::max_element(by_changes.begin(), by_changes.end(), [](const auto& a, const auto& b) {
     return a.second.size() < b.second.size();
@@ -75,14 +65,14 @@ std::string scaling_text(const std::vector<Cell>& cells) {
   std::string text;
   double worst_double = 0, worst_64 = 0;
   for (const Cell& c : cells) {
-    if (const Cell* twice = with_layers(cells, c, 2 * layers_of(c))) {
+    if (const Cell* twice = counterpart(cells, c, "layers", std::to_string(2 * layers_of(c)))) {
       const double ratio = twice->median_ms / c.median_ms;
       text += fmt::format("{:<20} {:>9}  {:>3} -> {:>3} layers: {:>9.2f} -> {:>9.2f} ms, {:.2f} times\n",
                           c.axis("model"), c.axis("size"), layers_of(c), layers_of(*twice), c.median_ms,
                           twice->median_ms, ratio);
       worst_double = std::max(worst_double, ratio);
     }
-    if (const Cell* more = with_layers(cells, c, 64); more && layers_of(c) == 16)
+    if (const Cell* more = counterpart(cells, c, "layers", "64"); more && layers_of(c) == 16)
       worst_64 = std::max(worst_64, more->median_ms / c.median_ms);
   }
   if (worst_double > 0)

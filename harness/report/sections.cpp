@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -15,14 +14,6 @@
 
 namespace pelage {
 namespace {
-
-bool any_metric(const std::vector<Cell>& cells, const char* metric) {
-  return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.metrics.contains(metric); });
-}
-
-bool any_axis(const std::vector<Cell>& cells, const char* axis) {
-  return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(axis); });
-}
 
 /// Returns the beginning of the file names for a group of cells, such as "scaling-up-z-mine-800x600": for
 /// each key that the user changed, the last part of the key and the value; for `model` and `size` only the
@@ -59,9 +50,13 @@ std::vector<Section> with_baseline(const std::vector<Cell>& cells, const std::st
 
 std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string& stem,
                               const Sources& sources) {
-  if (any_metric(cells, "opengl_ratio")) return with_baseline(cells, stem, sources);
-  if (any_metric(cells, "paper_fps")) return paper_sections(cells, stem, sources);
-  if (any_axis(cells, "dynamics.topology") && any_axis(cells, "layers"))
+  const auto any = [&](auto members, const char* name) {
+    return std::any_of(cells.begin(), cells.end(),
+                       [&](const Cell& c) { return (c.*members).contains(name); });
+  };
+  if (any(&Cell::metrics, "opengl_ratio")) return with_baseline(cells, stem, sources);
+  if (any(&Cell::metrics, "paper_fps")) return paper_sections(cells, stem, sources);
+  if (any(&Cell::axes, "dynamics.topology") && any(&Cell::axes, "layers"))
     return topology_sections(cells, stem, sources);
   return case_sections(cells, stem, sources);
 }
@@ -82,12 +77,11 @@ void separate(std::vector<Section>& sections) {
 
 std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& sources) {
   std::map<std::tuple<std::string, std::string, std::string, std::string>, std::vector<Cell>> groups;
-  for (const Cell& c : cells) groups[{c.experiment, c.device, c.host, changes_of(c)}].push_back(c);
+  for (const Cell& c : cells) groups[{c.experiment, c.device, c.host, changes_of(c.overrides)}].push_back(c);
   std::vector<Section> sections;
   for (const auto& [key, group] : groups) {
     std::vector<Section> own = of_group(group, stem_of(group.front(), sources), sources);
-    if (std::string equal = equal_pictures_remark(group); !equal.empty())
-      own.front().table.remarks.push_back(std::move(equal));
+    add_remarks(own.front().table, {equal_pictures_remark(group)});
     std::move(own.begin(), own.end(), std::back_inserter(sections));
   }
   separate(sections);
@@ -120,10 +114,19 @@ Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>
   table.layout = {present(table, layout.blocks), present(table, layout.rows), present(table, layout.groups),
                   present(table, layout.values)};
   add_varying_keys(table, cells);
-  add_footnotes(table, sources.note);
+  std::vector<std::string>& rows = table.layout.rows;
+  if (const auto model = std::find(rows.begin(), rows.end(), "model");
+      model != rows.end() && column_of(table, "triangles") >= 0)
+    rows.insert(model + 1, "triangles");
+  if (rows.empty()) rows = {column_of(table, "model") >= 0 ? "model" : "variant"};
   table.remarks = std::move(remarks);
-  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
+  add_footnotes(table, sources.note);
   return section;
+}
+
+void add_remarks(Table& table, const std::vector<std::string>& remarks) {
+  std::copy_if(remarks.begin(), remarks.end(), std::back_inserter(table.remarks),
+               [](const std::string& remark) { return !remark.empty(); });
 }
 
 std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
@@ -150,16 +153,10 @@ void add_footnotes(Table& table, const ModelNote& note) {
       // marks of footnotes: a to z, then aa, ab, ...
       for (std::size_t n = marks.size(); n > 0; n = (n - 1) / 26)
         mark->second.insert(mark->second.begin(), char('a' + (n - 1) % 26));
-      table.footnotes.push_back(fmt::format("{} {}: {}", mark->second, value.data, text));
+      table.footnotes.emplace_back(mark->second, fmt::format("{}: {}", value.data, text));
     }
     value.mark = mark->second;
   }
-}
-
-double geometric_mean(const std::vector<double>& numbers) {
-  double sum = 0;
-  for (const double number : numbers) sum += std::log(number);
-  return numbers.empty() ? 0 : std::exp(sum / double(numbers.size()));
 }
 
 View view_of(const std::vector<Cell>& cells) {

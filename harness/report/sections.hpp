@@ -68,11 +68,14 @@ std::string title_of(const std::vector<Cell>& cells);
 struct CellColumn;
 
 /// Returns a section with title, subtitle and file name, whose table has one line per cell. Its layout has
-/// those names of `layout` that are columns, and every axis that varies. Its remarks are followed by
-/// mark_remarks(). The table has the footnotes of models, but the section has no plots yet.
+/// those names of `layout` that are columns, every axis that varies, and the number of triangles beside the
+/// model. The table has the footnotes of models, but the section has no plots yet.
 Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
                    const std::string& stem, const Sources& sources, const Layout& layout,
                    std::vector<std::string> remarks);
+
+/// Appends the remarks that are not empty.
+void add_remarks(Table& table, const std::vector<std::string>& remarks);
 
 /// Returns those of `names` that are columns of the table.
 std::vector<std::string> present(const Table& table, const std::vector<std::string>& names);
@@ -80,9 +83,6 @@ std::vector<std::string> present(const Table& table, const std::vector<std::stri
 /// Adds the footnotes about models to the table, and marks these models in the row headings. If these do not
 /// contain the models, adds the footnotes as remarks instead.
 void add_footnotes(Table& table, const ModelNote& note);
-
-/// Returns the geometric mean; 0 for an empty list.
-double geometric_mean(const std::vector<double>& numbers);
 
 /// Returns the view from the rows of the cells, or for rows of earlier versions that of shipped_experiment().
 View view_of(const std::vector<Cell>& cells);

@@ -13,11 +13,6 @@ namespace {
 
 constexpr const char* axis = "dynamics.topology";
 
-std::string all_but_topology(Cell cell) {
-  cell.axes.erase(axis);
-  return name_of(cell) + "\n" + cell.variant;
-}
-
 /// Returns the topologies of the cells in the order of the key's choices.
 std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Table& table) {
   std::vector<std::string> names;
@@ -25,21 +20,6 @@ std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Tab
     if (std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axis(axis) == name; }))
       names.push_back(name);
   return names;
-}
-
-/// Returns the cell with the topology `first` and a time that is otherwise like `like`; null if there is
-/// none.
-const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
-  const std::string place = all_but_topology(like);
-  const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
-    return c.axis(axis) == first && timed(c) && all_but_topology(c) == place;
-  });
-  return found == cells.end() ? nullptr : &*found;
-}
-
-std::optional<double> simulate_ms(const Cell& c) {
-  const auto found = c.phase_ms.find("simulate");
-  return found == c.phase_ms.end() ? std::nullopt : std::optional(found->second);
 }
 
 Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& topologies) {
@@ -61,12 +41,12 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
     double most = 0;
     for (const Cell& c : cells) {
       if (c.axis(axis) != topology || !timed(c)) continue;
-      if (const Cell* first = first_of(cells, c, topologies.front()))
+      if (const Cell* first = counterpart(cells, c, axis, topologies.front()))
         ratios.push_back(c.median_ms / first->median_ms);
-      if (!simulate_ms(c)) continue;
-      shares.push_back(*simulate_ms(c) / c.median_ms);
-      if (shares.back() >= most)
-        most = shares.back(), worst = all_but_topology(c).substr(0, all_but_topology(c).find('\n'));
+      const auto simulate = c.phase_ms.find("simulate");
+      if (simulate == c.phase_ms.end()) continue;
+      shares.push_back(simulate->second / c.median_ms);
+      if (shares.back() >= most) most = shares.back(), worst = name_of(c, axis);
     }
     table.lines.push_back(
         {text_value(topology),
@@ -89,7 +69,7 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
   const std::vector<std::string> topologies = topologies_of(cells, table_of({}, columns));
   columns.push_back({{"ratio", "ratio"}, [&](const Cell& c) {
                        const Cell* first =
-                           topologies.empty() ? nullptr : first_of(cells, c, topologies.front());
+                           topologies.empty() ? nullptr : counterpart(cells, c, axis, topologies.front());
                        return number_value(first && timed(c) ? std::optional(c.median_ms / first->median_ms)
                                                              : std::nullopt);
                      }});
@@ -98,10 +78,10 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
     if (c.column.name == "simulate_ms") c.column.heading = "simulate";
   }
   Section section = section_of(
-      cells, columns, stem, sources,
-      {{"layers", "size"}, {"model", "triangles"}, {axis}, {"median_ms", "simulate_ms"}},
+      cells, columns, stem, sources, {{"layers", "size"}, {"model"}, {axis}, {"median_ms", "simulate_ms"}},
       {"frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, measured by the device's timer."});
   Table& table = section.table;
+  add_remarks(table, mark_remarks(cells));
   View view = view_of(cells);
   if (view == View{} && column_of(table, "triangles") >= 0)
     view = {.x = "triangles",
@@ -121,11 +101,6 @@ namespace {
 
 constexpr std::string_view ratio_mark = "_ratio", processor_mark = "_processor_ratio";
 
-Value text_of(const std::map<std::string, std::string>& axes, const std::string& name) {
-  const auto found = axes.find(name);
-  return text_value(found == axes.end() ? "" : found->second);
-}
-
 Value positive(double value) {
   return number_value(value > 0 ? std::optional(value) : std::nullopt);
 }
@@ -134,20 +109,17 @@ Value positive(double value) {
 std::vector<Value> solver_line(const Row& row, const std::string& rival, const Metric& ratio) {
   const auto theirs = row.samples.find(rival);
   const auto shared = row.metrics.find(rival + std::string(processor_mark));
-  const double low = ratio.low.value_or(ratio.value), high = ratio.high.value_or(ratio.value);
-  Value shown = positive(ratio.value);
-  if (ratio.value > 0) shown.shown += fmt::format(" [{}, {}]", three_digits(low), three_digits(high));
   return {text_value(row.device),
-          text_of(row.axes, "model"),
-          text_of(row.axes, "dynamics.topology"),
+          text_value(value_at(row.axes, "model")),
+          text_value(value_at(row.axes, axis)),
           text_value(row.variant),
-          text_of(row.axes, "dynamics.substeps"),
+          text_value(value_at(row.axes, "dynamics.substeps")),
           positive(median(frame_ms(row))),
           text_value(rival),
           positive(theirs == row.samples.end() ? 0 : median(theirs->second.wall_ms)),
-          shown,
-          positive(low),
-          positive(high),
+          positive(ratio.value),
+          positive(ratio.low.value_or(ratio.value)),
+          positive(ratio.high.value_or(ratio.value)),
           positive(shared == row.metrics.end() ? 0 : shared->second.value)};
 }
 
@@ -172,6 +144,7 @@ Table solver_table(const std::vector<FoundRow>& rows) {
       if (name.ends_with(ratio_mark) && !name.ends_with(processor_mark))
         table.lines.push_back(solver_line(row, name.substr(0, name.size() - ratio_mark.size()), metric));
   }
+  show_interval(table, "ratio");
   const auto key = [&](const std::vector<Value>& line) {
     std::vector<std::string> texts;
     for (const std::string& name : table.layout.rows)

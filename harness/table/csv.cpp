@@ -19,13 +19,8 @@ std::string csv_line(const std::vector<std::string>& fields) {
   for (const std::string& given : fields) {
     if (&given != &fields.front()) line += ',';
     const std::string field = is_formula(given) ? "'" + given : given;
-    if (field.find_first_of(",\"\r\n") == std::string::npos) {
-      line += field;
-      continue;
-    }
-    line += '"';
-    for (const char c : field) line += c == '"' ? std::string("\"\"") : std::string(1, c);
-    line += '"';
+    const bool plain = field.find_first_of(",\"\r\n") == std::string::npos;
+    line += plain ? field : '"' + escaped(field, {{'"', "\"\""}}) + '"';
   }
   return line + "\n";
 }

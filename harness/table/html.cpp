@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <string_view>
 
 #include "harness/table/render.hpp"
 
@@ -24,9 +22,8 @@ std::string cell_of(const std::optional<Value>& value) {
 }
 
 std::string html_head(const Pivot& pivot, const Pivot::Block& block) {
-  const bool grouped = pivot.groups.size() != 1 || !pivot.groups[0].empty();
   std::string text = "<thead>";
-  if (grouped || !block.label.empty()) {
+  if (pivot.grouped() || !block.label.empty()) {
     text += fmt::format("<tr><th colspan=\"{}\">{}</th>", std::max<std::size_t>(1, pivot.keys.size()),
                         html_text(joined(block.label)));
     for (const auto& group : pivot.groups)
@@ -43,15 +40,19 @@ std::string html_head(const Pivot& pivot, const Pivot::Block& block) {
 
 }  // namespace
 
-std::string html_text(const std::string& text) {
-  static const std::map<char, std::string_view> escapes{
-      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+std::string escaped(const std::string& text, const std::map<char, std::string_view>& escapes) {
   std::string result;
   for (const char c : text) {
     const auto escape = escapes.find(c);
     result += escape == escapes.end() ? std::string_view(&c, 1) : escape->second;
   }
   return result;
+}
+
+std::string html_text(const std::string& text) {
+  static const std::map<char, std::string_view> escapes{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+  return escaped(text, escapes);
 }
 
 std::string html_of(const Table& table) {
@@ -77,11 +78,8 @@ std::string html_of(const Table& table) {
   }
   if (!table.footnotes.empty()) {
     text += "<ol class=\"notes\">";
-    for (const std::string& note : table.footnotes) {
-      const std::size_t space = std::min(note.find(' '), note.size());
-      text += fmt::format("<li><sup>{}</sup>{}</li>", html_text(note.substr(0, space)),
-                          html_text(note.substr(space)));
-    }
+    for (const auto& [mark, note] : table.footnotes)
+      text += fmt::format("<li><sup>{}</sup> {}</li>", html_text(mark), html_text(note));
     text += "</ol>\n";
   }
   return text;

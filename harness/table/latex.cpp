@@ -28,9 +28,8 @@ std::string latex_cell(const Value& value) {
 
 std::string block_of(const Pivot& pivot, const Pivot::Block& block) {
   const std::size_t keys = pivot.keys.size(), count = pivot.values.size();
-  const bool grouped = pivot.groups.size() != 1 || !pivot.groups[0].empty();
   std::string text;
-  if (grouped || !block.label.empty()) {
+  if (pivot.grouped() || !block.label.empty()) {
     text += fmt::format("\\multicolumn{{{}}}{{l}}{{{}}}", keys, label_text(block.label));
     for (const auto& group : pivot.groups)
       text += fmt::format(" & \\multicolumn{{{}}}{{c}}{{{}}}", count, label_text(group));
@@ -54,22 +53,19 @@ std::string block_of(const Pivot& pivot, const Pivot::Block& block) {
 }  // namespace
 
 std::string latex_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos)
-      result += std::string("\\") + c;
-    else if (c == '\\')
-      result += "\\textbackslash{}";
-    else if (c == '~')
-      result += "\\textasciitilde{}";
-    else if (c == '^')
-      result += "\\textasciicircum{}";
-    else if (c == '<' || c == '>')
-      result += fmt::format("${}$", c);
-    else
-      result += c;
-  }
-  return result;
+  static const std::map<char, std::string_view> escapes{{'&', "\\&"},
+                                                        {'%', "\\%"},
+                                                        {'$', "\\$"},
+                                                        {'#', "\\#"},
+                                                        {'_', "\\_"},
+                                                        {'{', "\\{"},
+                                                        {'}', "\\}"},
+                                                        {'<', "$<$"},
+                                                        {'>', "$>$"},
+                                                        {'\\', "\\textbackslash{}"},
+                                                        {'~', "\\textasciitilde{}"},
+                                                        {'^', "\\textasciicircum{}"}};
+  return escaped(text, escapes);
 }
 
 std::string latex_of(const Table& table) {
@@ -83,10 +79,8 @@ std::string latex_of(const Table& table) {
   text += "\\bottomrule\n\\end{tabular}\n\\begin{tablenotes}\\footnotesize\n";
   if (!table.subtitle.empty()) text += fmt::format("\\item {}\n", latex_text(table.subtitle));
   for (const std::string& remark : table.remarks) text += fmt::format("\\item {}\n", latex_text(remark));
-  for (const std::string& note : table.footnotes) {
-    const std::size_t space = std::min(note.find(' '), note.size());
-    text += fmt::format("\\item[{}]{}\n", latex_text(note.substr(0, space)), latex_text(note.substr(space)));
-  }
+  for (const auto& [mark, note] : table.footnotes)
+    text += fmt::format("\\item[{}] {}\n", latex_text(mark), latex_text(note));
   return text + "\\end{tablenotes}\n\\end{threeparttable}\n";
 }
 

@@ -1,7 +1,9 @@
 // Arranges a table as a cross table, and writes it as text for a terminal, as CSV, as LaTeX and as HTML.
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/table/table.hpp"
@@ -21,6 +23,8 @@ std::string html_of(const Table& table);
 /// quoted. A field that a spreadsheet could read as a formula gets an apostrophe.
 std::string csv_line(const std::vector<std::string>& fields);
 std::string csv_lines(const std::vector<std::vector<std::string>>& lines);
+/// Returns the text with each character that has an entry in `escapes` replaced by this entry.
+std::string escaped(const std::string& text, const std::map<char, std::string_view>& escapes);
 /// Returns the text with LaTeX's special characters escaped.
 std::string latex_text(const std::string& text);
 /// Returns the text with HTML's special characters escaped.
@@ -41,6 +45,7 @@ struct Pivot {
   std::vector<std::vector<std::string>>
       groups;  ///< headings of the groups; one group without a heading if Layout::groups is empty
   std::vector<Block> blocks;  ///< one block without a heading if Layout::blocks is empty
+  bool grouped() const { return groups.size() != 1 || !groups[0].empty(); }
 };
 
 /// If two lines belong in the same cells, the second line gets a separate row.

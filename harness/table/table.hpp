@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pelage {
@@ -52,8 +53,9 @@ struct Table {
   std::vector<std::vector<Value>>
       lines;  ///< one value per column; the cross table's rows keep the order of the lines
   Layout layout;
-  std::vector<std::string> remarks;    ///< sentences below the table
-  std::vector<std::string> footnotes;  ///< mark, space and text: "a hippo: a stand-in ..." has the mark "a"
+  std::vector<std::string> remarks;  ///< sentences below the table
+  /// Marks and texts: "a" and "hippo: a stand-in ...".
+  std::vector<std::pair<std::string, std::string>> footnotes;
 };
 
 /// Returns the index of the column, or -1 if there is no such column.

@@ -12,10 +12,6 @@ using Widths = std::vector<std::size_t>;
 
 constexpr std::size_t between_values = 1, between_groups = 3;
 
-std::string left(const std::string& text, std::size_t width) {
-  return fmt::format("{:<{}}", text, width);
-}
-
 std::string right(const std::string& text, std::size_t width) {
   return fmt::format("{:>{}}", text, width);
 }
@@ -28,7 +24,7 @@ std::string text_cell(const std::optional<Value>& value) {
 /// Whether the head of the table has a second line, with the headings of the values below those of the
 /// groups.
 bool two_heads(const Pivot& pivot) {
-  return pivot.groups.size() != 1 || !pivot.groups[0].empty() ? pivot.values.size() > 1 : true;
+  return !pivot.grouped() || pivot.values.size() > 1;
 }
 
 /// Returns the width of each column in characters: first the key columns, then the columns of each group.
@@ -62,7 +58,7 @@ Widths widths_of(const Pivot& pivot) {
 std::string keys_line(const std::vector<std::string>& texts, const Widths& widths) {
   std::string line;
   for (std::size_t k = 0; k < texts.size(); ++k)
-    line += k == 0 ? left(texts[k], widths[k]) : "  " + right(texts[k], widths[k]);
+    line += k == 0 ? fmt::format("{:<{}}", texts[k], widths[k]) : "  " + right(texts[k], widths[k]);
   return line;
 }
 
@@ -78,28 +74,26 @@ std::string text_head(const Pivot& pivot, const Pivot::Block& block, const Width
   std::string groups, values;
   for (std::size_t g = 0; g < pivot.groups.size(); ++g) {
     std::size_t sum = 0;
-    std::string line;
     for (std::size_t v = 0; v < count; ++v) {
       const std::size_t width = widths[pivot.keys.size() + g * count + v];
-      line +=
+      values +=
           std::string(v == 0 ? between_groups : between_values, ' ') + right(pivot.values[v].heading, width);
       sum += width + (v > 0 ? between_values : 0);
     }
     const std::string label = joined(pivot.groups[g]);
     groups += std::string(between_groups, ' ') +
               (count > 1 ? fmt::format("{:^{}}", label, sum) : right(label, sum));
-    values += line;
   }
   const std::string label = joined(block.label);
   if (!two_heads(pivot)) {
     if (!label.empty()) names[0] = label;
     return trimmed(keys_line(names, widths) + groups);
   }
-  const bool any_group = pivot.groups.size() != 1 || !pivot.groups[0].empty();
   std::vector<std::string> above(names.size());
   if (!above.empty()) above[0] = label;
   std::string text;
-  if (any_group || !label.empty()) text += trimmed(keys_line(above, widths) + (any_group ? groups : ""));
+  if (pivot.grouped() || !label.empty())
+    text += trimmed(keys_line(above, widths) + (pivot.grouped() ? groups : ""));
   return text + trimmed(keys_line(names, widths) + values);
 }
 
@@ -124,7 +118,7 @@ std::string text_of(const Table& table) {
   }
   text += "\n";
   for (const std::string& remark : table.remarks) text += remark + "\n";
-  for (const std::string& note : table.footnotes) text += note + "\n";
+  for (const auto& [mark, note] : table.footnotes) text += fmt::format("{} {}\n", mark, note);
   return text;
 }
 

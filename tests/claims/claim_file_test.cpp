@@ -123,7 +123,8 @@ relation = { at_most = 1 }
     return what.substr(what.rfind('/') + 1);
   };
   EXPECT_EQ(error(one), "more.toml:1: two claims have the id one");
-  EXPECT_EQ(error("include = []\n" + one), "more.toml:1: unknown key include (known: [[claim]])");
+  EXPECT_EQ(error("include = []\n" + one),
+            "more.toml:1: the key include is unknown or has no meaning here (known here: claim)");
   write("main.toml", "include = \"more.toml\"\n" + one);
   EXPECT_EQ(error(""), "main.toml:1: include must be a list of files, such as [\"more.toml\"]");
 }
@@ -132,7 +133,9 @@ TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
   const std::string level = "name = \"level\"", limit = "{ at_most = 1 }";
   EXPECT_EQ(message(claim_text(level, limit)), "");
   for (const auto& [text, wanted] : std::vector<std::pair<std::string, std::string>>{
-           {"x = 1\n", ":1: unknown key x (known: [[claim]], include, process_spread, separate_processes)"},
+           {"x = 1\n",
+            ":1: the key x is unknown or has no meaning here (known here: claim, include, process_spread, "
+            "separate_processes)"},
            {"", ": there is no [[claim]]; docs/experiments.md describes the format"},
            {"[[claim]]\nid = 3\n", ":2: claim: id must be a string"},
            {"[[claim]]\nstatement = \"s\"\n", ":1: claim: id = \"...\" is missing"},

@@ -17,11 +17,6 @@ double effect_of(const std::vector<FoundRow>& rows, const std::string& effect) {
   return judged(rows, effect, any).value.value();
 }
 
-std::vector<FoundRow> layers_and_models() {
-  return {row({{"layers", "16"}, {"model", "a"}}, 10), row({{"layers", "64"}, {"model", "a"}}, 30),
-          row({{"layers", "16"}, {"model", "b"}}, 20), row({{"layers", "64"}, {"model", "b"}}, 40)};
-}
-
 TEST(Effects, LevelIsTheQuantity) {
   const std::vector<FoundRow> rows = layers_and_models();
   const Judged times = judged(rows, "name = \"level\"", "{ at_most = 45 }");

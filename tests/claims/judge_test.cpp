@@ -17,9 +17,7 @@ std::vector<FoundRow> two_rows(double slow = 30) {
 }
 
 TEST(Judge, UsesOnlyTheRowsOfTheClaim) {
-  std::vector<FoundRow> rows = two_rows();
-  rows.push_back(row({{"layers", "16"}, {"model", "b"}}, 10));
-  rows.push_back(row({{"layers", "64"}, {"model", "b"}}, 90));
+  std::vector<FoundRow> rows = layers_and_models(10, 90);
   FoundRow other = row({{"layers", "64"}, {"model", "c"}}, 500);
   other.row.experiment = "other";
   rows.push_back(other);
@@ -33,9 +31,7 @@ TEST(Judge, UsesOnlyTheRowsOfTheClaim) {
 }
 
 TEST(Judge, NamesTheCasesThatAreLeftOut) {
-  std::vector<FoundRow> rows = two_rows();
-  rows.push_back(row({{"layers", "16"}, {"model", "b"}}, 10));
-  rows.push_back(row({{"layers", "64"}, {"model", "b"}}, 30));
+  std::vector<FoundRow> rows = layers_and_models(10, 30);
   rows[3].row.status = Status::failed_check;
   rows[3].row.reason = "psnr 40";
   const Judged one = judged(rows, ratio, "{ at_most = 4 }");
@@ -99,7 +95,7 @@ TEST(Judge, JudgesEveryDeviceAlone) {
 // The times of one process vary by 1% and do not show the spread between processes, which judge() assumes.
 TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   const auto with = [](const std::string& limit, const std::vector<FoundRow>& rows) {
-    return judged(rows, ratio, limit, "experiment = \"own\"", "process_spread = 0.07\n");
+    return judged(rows, ratio, limit, own, some_spread);
   };
   const Judged one = with("{ at_most = 3.2 }", two_rows());
   EXPECT_EQ(one.verdict, Verdict::undecided);
@@ -140,7 +136,7 @@ TEST(Judge, PhasesInTurnsShareTheirProcess) {
   for (double& ms : one.row.samples["quarter"].wall_ms) ms /= 3;
   const Judged turns = judged(
       {one}, "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of = 64, to = 16",
-      "{ at_most = 3.05 }", "experiment = \"own\"", "process_spread = 0.07\n");
+      "{ at_most = 3.05 }", own, some_spread);
   EXPECT_EQ(turns.verdict, Verdict::holds);
   EXPECT_NEAR(turns.interval.high, 3, 1e-6);
 }
@@ -151,7 +147,7 @@ TEST(Judge, CountsAreExactAndMeasuredMetricsAreNot) {
   one.row.metrics["wet_ms"] = {100, "ms"};
   const auto level = [&](const std::string& metric) {
     return judged({one}, "name = \"level\", quantity = \"metric\", metric = \"" + metric + "\"",
-                  "{ at_most = 101 }", "experiment = \"own\"", "process_spread = 0.07\n");
+                  "{ at_most = 101 }", own, some_spread);
   };
   EXPECT_EQ(level("masses").verdict, Verdict::holds);
   EXPECT_EQ(level("masses").interval.high, 100);
@@ -160,9 +156,8 @@ TEST(Judge, CountsAreExactAndMeasuredMetricsAreNot) {
 }
 
 TEST(Judge, GivesTheSameNumbersAgain) {
-  const std::string settings = "process_spread = 0.07\n";
-  const Judged a = judged(two_rows(), ratio, "{ at_most = 3.2 }", "experiment = \"own\"", settings),
-               b = judged(two_rows(), ratio, "{ at_most = 3.2 }", "experiment = \"own\"", settings);
+  const Judged a = judged(two_rows(), ratio, "{ at_most = 3.2 }", own, some_spread),
+               b = judged(two_rows(), ratio, "{ at_most = 3.2 }", own, some_spread);
   EXPECT_EQ(a.interval.low, b.interval.low);
   EXPECT_EQ(a.interval.high, b.interval.high);
 }

@@ -39,13 +39,11 @@ void scale(Row& row, const std::string& phase, double by) {
 }
 
 bool is(const Row& row, const std::string& axis, const std::string& value) {
-  const auto found = row.axes.find(axis);
-  return found != row.axes.end() && found->second == value;
+  return value_at(row.axes, axis) == value;
 }
 
 bool separable(const Row& row) {
-  const auto found = row.axes.find("dynamics.topology");
-  return found != row.axes.end() && found->second.starts_with("separable");
+  return value_at(row.axes, "dynamics.topology").starts_with("separable");
 }
 
 /// A deliberate change to the rows, and the verdict that the claim must have after the change.

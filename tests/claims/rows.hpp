@@ -27,6 +27,17 @@ inline FoundRow row(const Axes& axes, double ms, const std::string& run = "run")
   return found;
 }
 
+/// Returns the rows of two models with 16 and 64 layers. By default, their frame times are 10, 30, 20 and 40
+/// ms.
+inline std::vector<FoundRow> layers_and_models(double b_16 = 20, double b_64 = 40) {
+  return {row({{"layers", "16"}, {"model", "a"}}, 10), row({{"layers", "64"}, {"model", "a"}}, 30),
+          row({{"layers", "16"}, {"model", "b"}}, b_16), row({{"layers", "64"}, {"model", "b"}}, b_64)};
+}
+
+/// Which rows decide a claim, and the spread between processes that the claims of the tests assume.
+constexpr const char *own = "experiment = \"own\"", *no_spread = "process_spread = 0.0\n",
+                     *some_spread = "process_spread = 0.07\n";
+
 inline ClaimFile file_of(const std::string& text) {
   const pelage::test::Folder folder;
   folder.write("claims.toml", text);
@@ -34,7 +45,7 @@ inline ClaimFile file_of(const std::string& text) {
 }
 
 inline std::string claim_text(const std::string& effect, const std::string& relation,
-                              const std::string& rows = "experiment = \"own\"") {
+                              const std::string& rows = own) {
   return fmt::format(
       "[[claim]]\nid = \"c\"\nstatement = \"s\"\nrows = {{ {} }}\neffect = {{ {} }}\nrelation = {}\n", rows,
       effect, relation);
@@ -42,8 +53,8 @@ inline std::string claim_text(const std::string& effect, const std::string& rela
 
 /// Returns the verdict on one claim about the experiment "own". All rows must be of one device.
 inline Judged judged(const std::vector<FoundRow>& rows, const std::string& effect,
-                     const std::string& relation, const std::string& which = "experiment = \"own\"",
-                     const std::string& settings = "process_spread = 0.0\n") {
+                     const std::string& relation, const std::string& which = own,
+                     const std::string& settings = no_spread) {
   const std::vector<Judged> all = judge(file_of(settings + claim_text(effect, relation, which)), rows);
   EXPECT_EQ(all.size(), 1u);
   return all.front();

@@ -142,7 +142,7 @@ TEST(Experiment, BadFilesAreRefusedWithTheirLine) {
   EXPECT_NO_THROW(read_text(good));
   test::expect_refusals({{"name = ", "e.toml:1: not TOML"},
                          {good + "[speed]\n", "e.toml:6: unknown key speed"},
-                         {good + "lest = 3\n", "unknown key lest"},
+                         {good + "lest = 3\n", "preset quick: the key lest is unknown"},
                          {good + "most = 2\n", "'most' must not be smaller"},
                          {good + "precision = nan\n", "precision must be"},
                          {good + "limit_s = \"1\"\n", "limit_s must be"},
@@ -167,7 +167,7 @@ TEST(Experiment, MetricsAreRequiredOfAllCasesOrOfSome) {
   test::expect_has(refusal_of(good + "[require.mood.fog]\nx = 2\n"),
                    "e.toml:7: require.mood.fog: no axis has");
   test::expect_has(refusal_of(good + "[require.mood]\ncalm = 2\n"), "require.mood.calm must be a table");
-  test::expect_has(refusal_of(good + "[require.mood.calm]\nx = \"2\"\n"), "x must be a number");
+  test::expect_has(refusal_of(good + "[require.mood.calm]\nx = \"2\"\n"), "x must be a finite number");
 }
 
 TEST(Experiment, ShardsAreReadStrictly) {

@@ -47,11 +47,11 @@ TEST(View, RowsStoreIt) {
 TEST(View, BadTablesAreRefusedWithTheirLine) {
   test::expect_refusals(
       {{"[report]\nz = \"layers\"\n",
-        "e.toml:7: unknown key report.z (known: blocks, columns, panels, program"},
-       {"[report]\nx = 3\n", "e.toml:7: report.x must be a string"},
-       {"[report]\ny = []\n", "e.toml:7: report.y must be a string or a list of strings"},
-       {"[report]\nseries = [1]\n", "e.toml:7: report.series must be a string or a list of strings"},
-       {"[report]\nscale = \"cubic\"\n", "e.toml:7: report.scale must be \"linear\" or \"log\""}},
+        "e.toml:7: report: the key z is unknown or has no meaning here (known here: blocks, columns, panels, program"},
+       {"[report]\nx = 3\n", "e.toml:7: report: x must be a string"},
+       {"[report]\ny = []\n", "e.toml:7: report: y must be a string or a list of strings"},
+       {"[report]\nseries = [1]\n", "e.toml:7: report: series must be a string or a list of strings"},
+       {"[report]\nscale = \"cubic\"\n", "e.toml:7: report: scale must be \"linear\" or \"log\""}},
       view_of);
 }
 

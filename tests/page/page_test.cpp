@@ -21,10 +21,6 @@ std::string nonce_of(const std::string& page) {
   return at == std::string::npos ? "" : page.substr(at + policy.size(), 32);
 }
 
-std::string no_note(const std::string&) {
-  return {};
-}
-
 /// Writes a picture whose pattern is hard to compress, so that its file is large.
 void write_pattern(const fs::path& file, int width, int height) {
   Picture picture{width, height, std::vector<glm::vec4>(std::size_t(width) * std::size_t(height))};
@@ -47,7 +43,7 @@ TEST_F(Page, HostileNamesAreText) {
   for (FoundRow& found : rows) found.row.experiment = hostile, found.row.provenance["title"] = hostile;
   PageParts parts;
   parts.notes = {hostile};
-  const std::string page = page_of(write_reports(rows, folder.path, no_note), parts);
+  const std::string page = page_of(write_reports(rows, folder.path, {}), parts);
   test::expect_lacks(page, "<img src=x");
   const std::string number = nonce_of(page);
   EXPECT_EQ(number.size(), 32u);
@@ -55,7 +51,7 @@ TEST_F(Page, HostileNamesAreText) {
   EXPECT_EQ(count_of(page, "<script nonce=\"" + number + "\">"), count_of(page, "</script>") - 1)
       << "one more closes the element with the data";
   EXPECT_EQ(count_of(page, "<script"), count_of(page, "</script>"));
-  const std::string other = page_of(write_reports(rows, folder.path / "other", no_note), parts);
+  const std::string other = page_of(write_reports(rows, folder.path / "other", {}), parts);
   EXPECT_EQ(other.find(number), std::string::npos) << "each page has its own nonce";
   EXPECT_GT(count_of(page, "&lt;img src=x onerror"), 3u);
 
@@ -69,7 +65,7 @@ TEST_F(Page, HostileNamesAreText) {
 
 /// The policy forbids network access, and permits only scripts that have the page's nonce.
 TEST_F(Page, ThePolicyNamesEveryScript) {
-  const std::string page = page_of(write_reports(test::table1_rows(), folder.path, no_note), {});
+  const std::string page = page_of(write_reports(test::table1_rows(), folder.path, {}), {});
   test::expect_has(page, "default-src 'none'");
   test::expect_lacks(page, "script-src 'unsafe-inline'");
   EXPECT_EQ(count_of(page, "<script nonce=\"" + nonce_of(page) + "\">"), 4u);
@@ -82,7 +78,7 @@ TEST_F(Page, CellsLeadToRows) {
   std::vector<FoundRow> repeated = rows;
   for (FoundRow& found : repeated) found.row.repeat = 1;
   rows.insert(rows.end(), repeated.begin(), repeated.end());
-  const std::vector<Report> reports = write_reports(rows, folder.path, no_note);
+  const std::vector<Report> reports = write_reports(rows, folder.path, {});
   const auto data = nlohmann::json::parse(data_of(reports));
   ASSERT_EQ(data["parts"].size(), 1u);
   ASSERT_EQ(data["parts"][0]["cells"].size(), 32u);
@@ -102,11 +98,11 @@ TEST_F(Page, CellsLeadToRows) {
 /// The summary names cases without times only if there are such cases.
 TEST_F(Page, TheSummaryCountsTheCasesWithoutTimes) {
   std::vector<FoundRow> rows = test::table1_rows();
-  const std::string all = page_of(write_reports(rows, folder.path, no_note), {});
+  const std::string all = page_of(write_reports(rows, folder.path, {}), {});
   test::expect_has(all, "32 cases. All of them are ok");
   test::expect_lacks(all, "have no times");
   rows[0].row.status = Status::error;
-  test::expect_has(page_of(write_reports(rows, folder.path, no_note), {}),
+  test::expect_has(page_of(write_reports(rows, folder.path, {}), {}),
                    {"32 cases. 31 of them are ok", "The other case has no time."});
 }
 
@@ -119,7 +115,7 @@ TEST_F(Page, OnePageHasAllSets) {
     found.row.identity = {{"mesh", "0123456789abcdef"}};
   }
   rows.insert(rows.end(), others.begin(), others.end());
-  const std::vector<Report> reports = write_reports(rows, folder.path, no_note);
+  const std::vector<Report> reports = write_reports(rows, folder.path, {});
   ASSERT_EQ(reports.size(), 2u);
   write_page(reports, folder.path / "index.html");
   const std::string page = folder.read("index.html");
@@ -131,7 +127,7 @@ TEST_F(Page, OnePageHasAllSets) {
 
 /// A plot is a part of the page. Its points have texts with their values, which a browser shows as tooltips.
 TEST_F(Page, PlotsHaveTheirValues) {
-  const std::vector<Report> reports = write_reports(test::table1_rows(), folder.path, no_note);
+  const std::vector<Report> reports = write_reports(test::table1_rows(), folder.path, {});
   if (reports[0].plots.empty()) GTEST_SKIP() << "matplotlib is not installed";
   const std::string body = body_of(reports, {});
   EXPECT_EQ(count_of(body, "<figure class=\"plot\">"), reports[0].plots.size());
@@ -152,7 +148,7 @@ TEST_F(Page, PicturesAreReducedToTheLimit) {
   for (const char* name : {"torus-64-800x600", "cow-64-800x600", "lion-16-800x600"})
     write_pattern(journal.parent_path() / "images" / (std::string(name) + ".png"), 640, 400);
   std::ofstream(journal.parent_path() / "images" / "pear-64-800x600.png") << "not a picture";
-  const std::vector<Report> reports = write_reports(rows, folder.path / "report", no_note);
+  const std::vector<Report> reports = write_reports(rows, folder.path / "report", {});
 
   std::vector<std::string> notes;
   const auto pictures = page_pictures(reports, {.bytes = 1'000'000, .most_width = 500}, notes);

@@ -2,18 +2,12 @@
 #include <algorithm>
 
 #include "harness/report/case_table.hpp"
-#include "harness/report/sections.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-std::vector<Section> sections_without_notes(const std::vector<FoundRow>& rows) {
-  std::vector<std::string> notes;
-  return sections_of(cells_of(rows), {{}, false, false, &notes});
-}
 
 TEST(CaseSection, ANumberInANameHasTheNameOfItsAxis) {
   Cell cell;
@@ -32,11 +26,11 @@ TEST(CaseSection, ShowsTheRatioToABaselineAndTheStepsPerFrame) {
     row.provenance["view"] = {{"columns", {"dynamics.topology"}},
                               {"values", {"median_ms", "serial-fast_ratio"}}};
   }
-  test::expect_has(text_of(sections_without_notes(rows).at(0).table),
+  test::expect_has(text_of(test::sections(rows).at(0).table),
                    {"2.05 [1.90, 2.10]", "NAME_ratio: time of the baseline NAME divided by our time",
                     "Time steps per frame: explicit-euler 16, rk4 4."});
   for (FoundRow& found : rows) found.row.metrics["substeps"].value = 4;
-  test::expect_lacks(text_of(sections_without_notes(rows).at(0).table), "Time steps");
+  test::expect_lacks(text_of(test::sections(rows).at(0).table), "Time steps");
 }
 
 TEST(CaseSection, SaysWhichCaseARatioAboveOneMakesSlower) {
@@ -46,7 +40,7 @@ TEST(CaseSection, SaysWhichCaseARatioAboveOneMakesSlower) {
       found.row.metrics = {{ratio, {1.25, "times", "", 1.2, 1.3}}};
       found.row.provenance["view"] = {{"values", {ratio}}};
     }
-    return text_of(sections_without_notes(rows).at(0).table);
+    return text_of(test::sections(rows).at(0).table);
   };
   test::expect_has(text_with("frame_over_baseline"), "Above 1, the case is slower.");
   test::expect_lacks(text_with("frame_over_baseline"), "ours is faster");
@@ -59,7 +53,7 @@ TEST(CaseSection, CasesWithoutPublishedNumbersOfTable1ShowFramesPerSecond) {
   std::vector<FoundRow> rows = test::bare_rows("silva2010-table1", "smoke");
   ASSERT_FALSE(rows.empty());
   for (FoundRow& found : rows) found.row.samples["frame"].wall_ms.assign(11, 20.0);
-  const Table table = sections_without_notes(rows).at(0).table;
+  const Table table = test::sections(rows).at(0).table;
   EXPECT_EQ(table.layout.values, std::vector<std::string>{"fps"});
   test::expect_has(text_of(table), "Frames per second: 1000 divided by");
 }
@@ -69,13 +63,13 @@ TEST(CaseSection, NamesCasesWithEqualPictures) {
   rows[0].row.image_hash = rows[1].row.image_hash = "0000000000000001";
   rows[2].row.image_hash = "0000000000000002";
   const auto remarks_of = [](const std::vector<FoundRow>& all) {
-    return sections_without_notes(all).at(0).table.remarks;
+    return test::sections(all).at(0).table.remarks;
   };
   const std::string remark =
       "Equal pictures: (dry) and (soaked). The settings in which these cases differ change no pixel.";
   auto remarks = remarks_of(rows);
   EXPECT_EQ(std::count(remarks.begin(), remarks.end(), remark), 1)
-      << text_of(sections_without_notes(rows).at(0).table);
+      << text_of(test::sections(rows).at(0).table);
   rows[1].row.image_hash = "0000000000000003";
   remarks = remarks_of(rows);
   EXPECT_EQ(std::count(remarks.begin(), remarks.end(), remark), 0);

@@ -17,10 +17,6 @@ namespace {
 
 using namespace test;
 
-std::string note(const std::string& model) {
-  return model == "hippo" ? "stand-in: a pig & 100% so" : "";
-}
-
 /// A Python script reads the two CSV files with the module csv. All lines of a file must have the same number
 /// of columns, and the numbers must be those of `rows`.
 TEST(Csv, PythonReadsIt) {
@@ -62,7 +58,7 @@ TEST(Report, WritesEverythingItPromises) {
   for (FoundRow& row : rows) row.journal = journal;
 
   const fs::path out = folder.path / "deep" / "report";
-  const Report report = write_report(rows, out, note);
+  const Report report = write_report(rows, out, note_of_hippo);
   for (const char* file : {"tables/silva2010-table1.csv", "tables/silva2010-table1.tex",
                            "tables/all-phases.csv", "references.bib", "provenance.txt",
                            "images/silva2010-table1-torus.png", "plots/silva2010-table1-frame-time.csv",
@@ -98,10 +94,10 @@ TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
   std::vector<FoundRow> rows = table1_rows();
   rows.resize(3);
   rows[0].row.provenance["other_cpu_share"] = 0.05;
-  const Report idle = write_report(rows, folder.path / "idle", note);
+  const Report idle = write_report(rows, folder.path / "idle", note_of_hippo);
   for (const std::string& line : idle.notes) test::expect_lacks(line, "loaded machine");
   rows[1].row.provenance["other_cpu_share"] = 0.5;
-  const Report loaded = write_report(rows, folder.path / "loaded", note);
+  const Report loaded = write_report(rows, folder.path / "loaded", note_of_hippo);
   ASSERT_FALSE(loaded.notes.empty());
   EXPECT_EQ(loaded.notes.front().find("1 of 3 rows were timed on a loaded machine"), 0u)
       << loaded.notes.front();
@@ -144,7 +140,7 @@ TEST(Plot, ALogarithmicAxisHasTwoLabels) {
 TEST(Report, APlaceThatCannotBeWritten) {
   const Folder folder;
   folder.write("file", "x");
-  EXPECT_THROW(write_report(table1_rows(), folder.path / "file" / "r", note), InputError);
+  EXPECT_THROW(write_report(table1_rows(), folder.path / "file" / "r", note_of_hippo), InputError);
 }
 
 }  // namespace

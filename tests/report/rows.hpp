@@ -7,6 +7,7 @@
 
 #include "harness/experiment/experiment.hpp"
 #include "harness/record/results_folder.hpp"
+#include "harness/report/sections.hpp"
 
 namespace pelage::test {
 
@@ -82,6 +83,16 @@ inline std::vector<FoundRow> own_rows(const std::vector<Axis>& axes) {
     rows[i].journal = "results/own/test_device@h.jsonl";
   }
   return rows;
+}
+
+inline std::string note_of_hippo(const std::string& model) {
+  return model == "hippo" ? "stand-in: a pig & 100% so" : "";
+}
+
+inline std::vector<Section> sections(const std::vector<FoundRow>& rows,
+                                     std::vector<std::string>* notes = nullptr) {
+  std::vector<std::string> own;
+  return sections_of(cells_of(rows), {note_of_hippo, false, false, notes ? notes : &own});
 }
 
 }  // namespace pelage::test

@@ -27,7 +27,7 @@ Table cases() {
       for (const char* size : {"1680x1050", "800x600"})
         table.lines.push_back({text_value(model), text_value(layers), text_value(size), number_value(++i)});
   table.remarks = {"A remark."};
-  table.footnotes = {"a cow: a <stand-in> & more"};
+  table.footnotes = {{"a", "cow: a <stand-in> & more"}};
   for (auto& line : table.lines)
     if (line[0].data == "cow") line[0].mark = "a";
   return table;
@@ -123,9 +123,8 @@ TEST(Formats, AsCsv) {
 
 TEST(Formats, AsLatex) {
   const std::string tex = latex_of(cases());
-  for (const char* part : {"\\toprule", "\\midrule", "\\bottomrule", "$800 \\times 600$", "cow\\tnote{a}",
-                           "$<$stand-in$>$ \\& more", "100\\%"})
-    test::expect_has(tex, part);
+  test::expect_has(tex, {"\\toprule", "\\midrule", "\\bottomrule", "$800 \\times 600$", "cow\\tnote{a}",
+                         "$<$stand-in$>$ \\& more", "100\\%"});
   EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
   EXPECT_EQ(latex_text("a_b<c&d%"), "a\\_b$<$c\\&d\\%");
 }

@@ -1,4 +1,4 @@
-// Reads the keys of a TOML table in a file of claims.
+// Reads the keys of a TOML table as values of the wanted types.
 #pragma once
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,33 +17,44 @@
 
 #include "harness/base/toml_file.hpp"
 
-namespace pelage::claims {
+namespace pelage {
 
 /// A TOML table. If a value has the wrong type, the functions throw InputError, whose message names the file,
-/// the line and the table. The constructor's arguments `file` and `table` must outlive the object.
-class Table {
+/// the line and the table (unless `name` is empty). The constructor's arguments `file` and `table` must
+/// outlive the object.
+class TomlTable {
  public:
   using Texts = std::vector<std::string>;
 
-  Table(const std::filesystem::path& file, const toml::table& table, std::string name)
+  TomlTable(const std::filesystem::path& file, const toml::table& table, std::string name)
       : file_(file), table_(table), name_(std::move(name)) {}
 
   void rename(const std::string& name) { name_ = name; }
   bool has(std::string_view key) const { return table_.contains(key); }
-  bool holds_text(std::string_view key) const { return table_[key].is_string(); }
+
+  const toml::node* get(std::string_view key) {  ///< null if the key is absent
+    known_.insert(std::string(key));
+    return table_.get(key);
+  }
 
   /// Throws InputError, whose message names the line of the key, or the line of the table if the key is
   /// absent.
   [[noreturn]] void refuse(std::string_view key, const std::string& what) const {
     const toml::node* node = table_.get(key);
-    pelage::refuse(file_, node ? node : &table_, fmt::format("{}: {}", name_, what));
+    pelage::refuse(file_, node ? node : &table_, name_.empty() ? what : fmt::format("{}: {}", name_, what));
   }
 
   /// Returns the nested table; empty if the key is absent.
-  std::optional<Table> inner(std::string_view key) {
+  std::optional<TomlTable> inner(std::string_view key) {
     const toml::table* found = table(key);
     if (!found) return {};
-    return Table(file_, *found, fmt::format("{}: {}", name_, key));
+    return TomlTable(file_, *found, fmt::format("{}: {}", name_, key));
+  }
+
+  const toml::table* table(std::string_view key) {  ///< null if the key is absent
+    const toml::node* node = get(key);
+    if (node && !node->is_table()) refuse(key, fmt::format("{} must be a table: {{ key = value }}", key));
+    return node ? node->as_table() : nullptr;
   }
 
   std::string text(std::string_view key) {  ///< "" if the key is absent
@@ -58,6 +69,18 @@ class Table {
     std::string value = text(key);
     if (value.empty()) refuse(key, fmt::format("{} = \"...\" is missing", key));
     return value;
+  }
+
+  Texts texts(std::string_view key) {  ///< strings; a single string becomes a list of one
+    const toml::node* node = get(key);
+    if (!node) return {};
+    if (const auto value = node->value_exact<std::string>()) return {*value};
+    const toml::array* array = node->as_array();
+    if (!array || !array->is_homogeneous<std::string>())
+      refuse(key, fmt::format("{} must be a string or a list of strings", key));
+    Texts result;
+    for (const toml::node& one : *array) result.push_back(*one.value<std::string>());
+    return result;
   }
 
   std::optional<double> number(std::string_view key) {
@@ -77,6 +100,15 @@ class Table {
     const auto value = number(key);
     if (!value) refuse(key, fmt::format("{} needs the number {}", why, key));
     return *value;
+  }
+
+  std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most) {
+    const toml::node* node = get(key);
+    if (!node) return {};
+    const auto value = node->value_exact<std::int64_t>();
+    if (!value || *value < least || *value > most)
+      refuse(key, fmt::format("{} must be a whole number from {} to {}", key, least, most));
+    return value;
   }
 
   std::vector<double> numbers(std::string_view key) {
@@ -143,17 +175,6 @@ class Table {
   }
 
  private:
-  const toml::node* get(std::string_view key) {
-    known_.insert(std::string(key));
-    return table_.get(key);
-  }
-
-  const toml::table* table(std::string_view key) {
-    const toml::node* node = get(key);
-    if (node && !node->is_table()) refuse(key, fmt::format("{} must be a table: {{ key = value }}", key));
-    return node ? node->as_table() : nullptr;
-  }
-
   double finite(std::string_view key, const toml::node& node, std::string_view wanted) const {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value || !std::isfinite(*value)) refuse(key, fmt::format("{} must be {}", key, wanted));
@@ -199,4 +220,4 @@ class Table {
   std::set<std::string> known_;
 };
 
-}  // namespace pelage::claims
+}  // namespace pelage
