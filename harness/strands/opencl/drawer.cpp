@@ -37,6 +37,7 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   p.height = c.height;
   p.tiles_x = (c.width + tile - 1) / tile;
   p.tiles_y = (c.height + tile - 1) / tile;
+  p.block_side = block_side(tile);
   copy(p.row_x, c.row_x);
   copy(p.row_y, c.row_y);
   copy(p.row_w, c.row_w);

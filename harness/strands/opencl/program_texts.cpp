@@ -71,15 +71,14 @@ DrawerLayout map_layout(const DrawerLayout& picture) {
 }
 
 PictureTexts picture_texts(const PictureKinds& kinds, const DrawerLayout& layout, bool map, bool skin) {
-  const int block_side = layout.tile == 128 ? 8 : 4;  // BLOCK_SIDE of params.h
-  const std::string base = options_of(kinds) + (map ? " -D STRAND_MAP=1" : "");
-  const auto with = [&](const std::string& options, int lanes) {
-    return fmt::format("{} -D LANES={} -D STRAND_TILE={}", options, lanes, layout.tile);
-  };
-  return {{"strands/draw/keys.cl", with(base, layout.lanes)},
-          {"strands/draw/bins.cl", fmt::format("-D LANES=1 -D TILE_BLOCKS={}", layout.tile / block_side)},
-          {layout.group ? "strands/draw/group.cl" : "strands/draw/tile.cl",
-           with(map ? base : fmt::format("{} -D STRAND_SKIN={}", base, int(skin)), layout.tile_lanes)}};
+  const std::string options = options_of(kinds);
+  const std::string kind = map ? "-D STRAND_MAP=1" : fmt::format("-D STRAND_SKIN={}", int(skin));
+  return {
+      {"strands/draw/keys.cl", fmt::format("{} -D LANES={}", options, layout.lanes)},
+      {"strands/draw/bins.cl",
+       fmt::format("-D LANES=1 -D TILE_BLOCKS={}", layout.tile / block_side(layout.tile))},
+      {layout.group ? "strands/draw/group.cl" : "strands/draw/tile.cl",
+       fmt::format("{} {} -D LANES={} -D STRAND_TILE={}", options, kind, layout.tile_lanes, layout.tile)}};
 }
 
 cl::ProgramText skin_text(const PictureKinds& kinds, int lanes) {

@@ -34,6 +34,11 @@ struct PictureKinds {
   bool operator==(const PictureKinds&) const = default;
 };
 
+/// The side, in pixels, of the blocks of a tile whose side is `tile` pixels (BLOCK_SIDE in params.h).
+constexpr int block_side(int tile) {
+  return tile == 128 ? 8 : 4;
+}
+
 /// How the work-items of a device draw a picture. Every value is chosen: none is 0.
 struct DrawerLayout {
   bool group = false;  ///< the mapping is Drawing::group

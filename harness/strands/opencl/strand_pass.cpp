@@ -93,6 +93,8 @@ using cl::copy;
 DrawParams map_params(DrawParams params, const LightView& view, int lanes, int tile) {
   params.width = params.height = view.size;
   params.tiles_x = params.tiles_y = (view.size + tile - 1) / tile;
+  params.block_side = block_side(tile);
+  params.is_map = 1;
   copy(params.row_x, view.row_x);
   copy(params.row_y, view.row_y);
   copy(params.row_w, view.row_z);

@@ -2,6 +2,7 @@
 // drawn, with their sort keys. A work-item computes one run of consecutive strands. The list of run r begins at
 // pair[r * capacity] and has live[r] entries (key, strand), in the order of the strands. For each strand that is drawn, the
 // kernel also writes a row of STRAND_ROW floats and the blocks of pixels that the strand may touch.
+#define STRAND_MAP p->is_map
 #include "common/powers.clh"
 #include "common/slices.clh"
 #include "strands/draw/curve.clh"
@@ -57,8 +58,9 @@ INLINE void store_curve(Curve c, __global scalar *curves, int u) {
 }
 
 // Returns the number of the block, in one direction, that contains a position in pixels, limited to 0 .. blocks - 1.
-INLINE whole block_at(real position, int blocks) {
-  return to_whole(lesser(greater(position * REAL(1.0f / BLOCK_SIDE), REAL(0.0f)), REAL((float)(blocks - 1))));
+INLINE whole block_at(const DrawParams *p, real position, int blocks) {
+  real per_block = REAL(1.0f / (float)p->block_side);
+  return to_whole(lesser(greater(position * per_block, REAL(0.0f)), REAL((float)(blocks - 1))));
 }
 
 // A range of blocks in the picture. The low half of a word is the column, the high half the row.
@@ -70,16 +72,16 @@ typedef struct { whole first, last; } Blocks;
 INLINE Blocks blocks_of(const DrawParams *p, real3 a, real3 b, real3 c, real radius) {
   real least = lesser(a.z, lesser(b.z, c.z));
   truth in_front = least >= REAL(p->near_depth);
-  real wa = per_depth_at(in_front ? a.z : REAL(1.0f)), wb = per_depth_at(in_front ? b.z : REAL(1.0f));
-  real wc = per_depth_at(in_front ? c.z : REAL(1.0f));
+  real wa = per_depth_at(p, in_front ? a.z : REAL(1.0f)), wb = per_depth_at(p, in_front ? b.z : REAL(1.0f));
+  real wc = per_depth_at(p, in_front ? c.z : REAL(1.0f));
   real pad = 1.5f * fma(radius, greater(wa, greater(wb, wc)), REAL(0.5f));
   real ax = a.x * wa, bx = b.x * wb, cx = c.x * wc, ay = a.y * wa, by = b.y * wb, cy = c.y * wc;
   real mid_x = REAL(0.5f * (float)p->width), mid_y = REAL(0.5f * (float)p->height);
-  int across = (p->width + BLOCK_SIDE - 1) / BLOCK_SIDE, down = (p->height + BLOCK_SIDE - 1) / BLOCK_SIDE;
-  whole left = block_at(lesser(ax, lesser(bx, cx)) - pad + mid_x, across);
-  whole right = block_at(greater(ax, greater(bx, cx)) + pad + mid_x, across);
-  whole top = block_at(lesser(ay, lesser(by, cy)) - pad + mid_y, down);
-  whole bottom = block_at(greater(ay, greater(by, cy)) + pad + mid_y, down);
+  int across = (p->width + p->block_side - 1) / p->block_side, down = (p->height + p->block_side - 1) / p->block_side;
+  whole left = block_at(p, lesser(ax, lesser(bx, cx)) - pad + mid_x, across);
+  whole right = block_at(p, greater(ax, greater(bx, cx)) + pad + mid_x, across);
+  whole top = block_at(p, lesser(ay, lesser(by, cy)) - pad + mid_y, down);
+  whole bottom = block_at(p, greater(ay, greater(by, cy)) + pad + mid_y, down);
   Blocks out;
   out.first = in_front ? left | (top << 16) : WHOLE(0);
   out.last = in_front ? right | (bottom << 16) : WHOLE((across - 1) | (down - 1) << 16);
@@ -118,11 +120,11 @@ INLINE whole film_frame(TABLE(int) layers, whole layer, whole strand) {
 }
 #endif
 
-CALLED void keys_of_run(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
+CALLED void keys_of_run(const DrawParams *p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
                         __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves, int run) {
-  if (run >= p.runs) return;
-  int first = run * p.units_per_run, last = min(first + p.units_per_run, p.units);
-  __global uint2 *out = pair + (size_t)run * p.capacity;    // with STRAND_MAP, the lists of the runs have no gaps
+  if (run >= p->runs) return;
+  int first = run * p->units_per_run, last = min(first + p->units_per_run, p->units);
+  __global uint2 *out = pair + (size_t)run * p->capacity;    // in a map, the lists of the runs have no gaps
   int listed = 0;
   for (int u = first; u < last; ++u) {
     Key a = load_key(keys, drawn_bits(strands, u, DRAWN_KEY)), b = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 1));
@@ -134,26 +136,24 @@ CALLED void keys_of_run(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, 
 #if STRAND_STYLES
     key = styled(key, drawn_value(strands, u, DRAWN_RESPONSE), drawn_turn(strands, u, DRAWN_TWIST), drawn_turn(strands, u, DRAWN_CURVATURE));
 #endif
-    Curve curve = curve_of(above_skin(key, p.slope), drawn_value(strands, u, DRAWN_LENGTH), p.first_segment);
-    if (p.keep_curves) store_curve(curve, curves, u);
+    Curve curve = curve_of(above_skin(key, p->slope), drawn_value(strands, u, DRAWN_LENGTH), p->first_segment);
+    if (p->keep_curves) store_curve(curve, curves, u);
 
     whole number = u * LANES + lane_numbers();
-    real3 root = in_view(&p, curve.root), joint = in_view(&p, curve.joint), tip = in_view(&p, curve.tip);
+    real3 root = in_view(p, curve.root), joint = in_view(p, curve.joint), tip = in_view(p, curve.tip);
     real3 depth = vec3(root.z, joint.z, tip.z);
-    real fade = lesser(to_real(WHOLE(p.strands) - number) * REAL(p.per_fade), REAL(1.0f));
-    real radius = drawn_value(strands, u, DRAWN_WIDTH) * (p.widen * fade) * REAL(p.half_per_width);
-    truth drawn = number < WHOLE(p.strands);
-#if !STRAND_MAP               // all strands cast a shadow
-    drawn = drawn && is_seen(&p, curve, root, joint, tip, depth, 1.5f * radius);
-#endif
+    real fade = lesser(to_real(WHOLE(p->strands) - number) * REAL(p->per_fade), REAL(1.0f));
+    real radius = drawn_value(strands, u, DRAWN_WIDTH) * (p->widen * fade) * REAL(p->half_per_width);
+    truth drawn = number < WHOLE(p->strands);
+    if (!p->is_map) drawn = drawn && is_seen(p, curve, root, joint, tip, depth, 1.5f * radius);    // all strands cast a shadow
     if (!some(drawn)) continue;
 
     whole colour = drawn_bits(strands, u, DRAWN_COLOUR);
     whole layer = LAYER_RECORD * ((colour >> 24) & 255);
-    whole sort_key = (gather_whole(layers, layer) << 24) | depth_step(&p, depth.y);
+    whole sort_key = (gather_whole(layers, layer) << 24) | depth_step(p, depth.y);
 #if STRAND_LIGHTS
-    real3 steady = steady_light(&p, curve, vec3(colour_byte(colour, 0), colour_byte(colour, 1), colour_byte(colour, 2)));
-    real scale = 1.0f / (p.skin_shadow_height * drawn_value(strands, u, DRAWN_LENGTH));
+    real3 steady = steady_light(p, curve, vec3(colour_byte(colour, 0), colour_byte(colour, 1), colour_byte(colour, 2)));
+    real scale = 1.0f / (p->skin_shadow_height * drawn_value(strands, u, DRAWN_LENGTH));
     real joint_height = dot3(curve.normal, sub3(curve.joint, curve.root)) * scale;
     real tip_height = dot3(curve.normal, sub3(curve.tip, curve.root)) * scale;
     colour = (colour & 0xffffff) | (film_frame(layers, layer, number) << 24);
@@ -165,7 +165,7 @@ CALLED void keys_of_run(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, 
     const int parts = 3;
 #endif
     for (int i = 0; i < parts; ++i) store_rows_apart(part[i], row + (size_t)u * (LANES * STRAND_ROW) + 4 * i, STRAND_ROW);
-    Blocks touched = blocks_of(&p, root, joint, tip, radius);
+    Blocks touched = blocks_of(p, root, joint, tip, radius);
     int key_of[LANES], number_of[LANES], first_of[LANES], last_of[LANES];
     int count = squeeze(sort_key, drawn, key_of);
     squeeze(number, drawn, number_of);
@@ -182,5 +182,5 @@ CALLED void keys_of_run(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, 
 
 __kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
                           __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves) {
-  keys_of_run(p, strands, keys, layers, row, blocks, pair, live, curves, (int)get_global_id(0));
+  keys_of_run(&p, strands, keys, layers, row, blocks, pair, live, curves, (int)get_global_id(0));
 }

@@ -23,6 +23,8 @@ typedef struct {
   int units_per_run;
   int capacity;                // number of pairs for which a run has room
   int keep_curves;             // 1: strand_keys also writes the curves
+  int is_map;                  // 1: an opacity map is drawn (STRAND_MAP)
+  int block_side;              // BLOCK_SIDE of the kernel that draws the tiles
   int chunks;                  // number of chunks of the sorted list; one work-item of strand_bin_count counts one chunk
   // Look (harness/strands/drawing/drawing.hpp).
   int segments;
@@ -76,6 +78,7 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 // 1: the kernels draw the opacity map of the key light instead of a picture. The rows of the camera matrix then are those of
 // the light's view (harness/strands/drawing/drawing.hpp), and W is the depth. Because the projection is parallel, X and Y
 // are not divided by W. A texel has two floats: the least depth of its fragments in R, and their transmittance 1 - A.
+// strand_keys reads p->is_map instead, so that the picture and its map share a program.
 #ifndef STRAND_MAP
 #define STRAND_MAP 0
 #endif
