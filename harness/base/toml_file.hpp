@@ -1,4 +1,4 @@
-// Reads TOML. The errors name the file and the line.
+// Reads TOML, and writes values as TOML. The errors name the file and the line.
 #pragma once
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include "harness/error.hpp"
@@ -43,6 +44,40 @@ inline std::string toml_text_of(const std::filesystem::path& file) {
 
 inline toml::table read_toml(const std::filesystem::path& file) {
   return parse_toml(toml_text_of(file), file.string());
+}
+
+/// Returns the value as TOML text. Decimal numbers have as few digits as possible: 0.05, not
+/// 0.050000000000000003.
+inline std::string literal(const toml::node& node) {
+  if (const auto number = node.value_exact<double>()) {
+    const std::string digits = fmt::format("{}", *number);
+    return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
+  }
+  // toml++'s formatter of arrays is not used. For numbers below 0.1, it converts a negative logarithm to an
+  // unsigned integer, which is undefined behaviour.
+  if (const auto* array = node.as_array()) {
+    std::string text;
+    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + literal(entry);
+    return "[" + text + "]";
+  }
+  if (const auto* table = node.as_table()) {
+    std::string text;
+    for (const auto& [key, entry] : *table)
+      text +=
+          (text.empty() ? "" : ", ") + literal(toml::value(std::string(key.str()))) + " = " + literal(entry);
+    return "{" + text + "}";
+  }
+  std::ostringstream text;
+  node.visit([&text](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) text << value;
+  });
+  return text.str();
+}
+
+/// Returns the text of a TOML value, without quotes if it is a string.
+inline std::string plain(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  return literal(node);
 }
 
 }  // namespace pelage

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "harness/base/numbers.hpp"
 #include "harness/base/toml_table.hpp"
@@ -37,40 +36,6 @@ const std::set<std::string, std::less<>> columns{"case",       "clock",   "conte
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
                                                  "repeat",     "run_id",  "sample",    "samples",   "status"};
-
-/// Returns the value as TOML text. Decimal numbers have as few digits as possible: 0.05, not
-/// 0.050000000000000003.
-std::string literal(const toml::node& node) {
-  if (const auto number = node.value_exact<double>()) {
-    const std::string digits = fmt::format("{}", *number);
-    return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
-  }
-  // toml++'s formatter of arrays is not used. For numbers below 0.1, it converts a negative logarithm to an
-  // unsigned integer, which is undefined behaviour.
-  if (const auto* array = node.as_array()) {
-    std::string text;
-    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + literal(entry);
-    return "[" + text + "]";
-  }
-  if (const auto* table = node.as_table()) {
-    std::string text;
-    for (const auto& [key, entry] : *table)
-      text +=
-          (text.empty() ? "" : ", ") + literal(toml::value(std::string(key.str()))) + " = " + literal(entry);
-    return "{" + text + "}";
-  }
-  std::ostringstream text;
-  node.visit([&text](const auto& value) {
-    if constexpr (toml::is_value<decltype(value)>) text << value;
-  });
-  return text.str();
-}
-
-/// Returns the text of a TOML value, without quotes if it is a string.
-std::string plain(const toml::node& node) {
-  if (const auto text = node.value_exact<std::string>()) return *text;
-  return literal(node);
-}
 
 /// Returns a number as it is written in the file (0.10 stays 0.10), and plain() of other values.
 std::string as_written(const toml::node& node, const Source& source) {
