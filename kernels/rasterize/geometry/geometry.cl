@@ -89,7 +89,7 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
 // With CONTACT, the colliders of the table `contact` at the time number `time` push the vertices towards their roots, and the
 // fourth number of a row is the share of the displacement that remains.
 // If a vertex needs clipping, its 1/w in `screen` is 0, and in `box` its greatest 1/w is infinite and its least 1/w is 0.
-CALLED void vertices_of_block(const RasterParams *s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+CALLED void vertices_of_block(const RasterParams *restrict s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                               TABLE(float) table, TABLE(float) contact, TABLE(float) field, int time,
                               __global float *screen, __global float *box, int block) {
   Corner c = corner(s, vertex, tip, dry, table, block);

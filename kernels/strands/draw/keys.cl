@@ -120,7 +120,7 @@ INLINE whole film_frame(TABLE(int) layers, whole layer, whole strand) {
 }
 #endif
 
-CALLED void keys_of_run(const DrawParams *p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
+CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
                         __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves, int run) {
   if (run >= p->runs) return;
   int first = run * p->units_per_run, last = min(first + p->units_per_run, p->units);

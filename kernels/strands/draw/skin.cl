@@ -14,9 +14,9 @@
 #define VERTEX_RECORD 8
 #define NO_OWNER 0x7fffffff
 
-// Visits the elements of this work-item, LANES elements at a time. `first` is the number of the first of these elements.
+// Visits the elements of work-item `item`, LANES elements at a time. `first` is the number of the first of these elements.
 #define FOR_EACH_GROUP(first, count) \
-  for (int first = (int)get_global_id(0) * per_item * LANES, end_ = min(first + per_item * LANES, count); first < end_; first += LANES)
+  for (int first = item * per_item * LANES, end_ = min(first + per_item * LANES, count); first < end_; first += LANES)
 
 INLINE real3 gather3(TABLE(float) vectors, whole i) {
   return vec3(gather(vectors, 3 * i), gather(vectors, 3 * i + 1), gather(vectors, 3 * i + 2));
@@ -26,31 +26,33 @@ INLINE real3 gather3(TABLE(float) vectors, whole i) {
 INLINE real turned(const float *row, real3 v) { return fma(v.z, REAL(row[2]), fma(v.y, REAL(row[1]), v.x * REAL(row[0]))); }
 
 // position, normal, colour: three floats per vertex. map: the opacity map of the key light.
-CALLED void vertices_from(const DrawParams *p, int first, int vertices, TABLE(float) position, TABLE(float) normal,
-                          TABLE(float) colour, TABLE(float) map, __global float *vertex) {
-  whole v = min(lane_numbers() + first, WHOLE(vertices - 1));
-  real3 n = gather3(normal, v), c = gather3(colour, v), view = in_view(p, gather3(position, v));
-  // The normal in camera axes, as p->light.
-  real3 facing = vec3(p->pixel * turned(p->row_x, n), p->pixel * turned(p->row_y, n), turned(p->row_w, n));
-  real key = p->intensity * greater(dot3(facing, uniform3(p->light[0], p->light[1], p->light[2])), REAL(0.0f));
+CALLED void skin_vertices_of(const DrawParams *restrict p, int item, int per_item, int vertices, TABLE(float) position,
+                             TABLE(float) normal, TABLE(float) colour, TABLE(float) map, __global float *vertex) {
+  FOR_EACH_GROUP(first, vertices) {
+    whole v = min(lane_numbers() + first, WHOLE(vertices - 1));
+    real3 n = gather3(normal, v), c = gather3(colour, v), view = in_view(p, gather3(position, v));
+    // The normal in camera axes, as p->light.
+    real3 facing = vec3(p->pixel * turned(p->row_x, n), p->pixel * turned(p->row_y, n), turned(p->row_w, n));
+    real key = p->intensity * greater(dot3(facing, uniform3(p->light[0], p->light[1], p->light[2])), REAL(0.0f));
 #if STRAND_SHADOW != SHADOW_NONE
-  key = key * key_light(p, map, view);
+    key = key * key_light(p, map, view);
 #endif
-  real light = p->ambient + key;
+    real light = p->ambient + key;
 #if STRAND_LIGHTS
-  scalar bright = 1.0f - p->skin_shadow;
-  c = vec3(bright * c.x * (light + fill_light(p->fill, n)), bright * c.y * (light + fill_light(p->fill + 9, n)),
-           bright * c.z * (light + fill_light(p->fill + 18, n)));
+    scalar bright = 1.0f - p->skin_shadow;
+    c = vec3(bright * c.x * (light + fill_light(p->fill, n)), bright * c.y * (light + fill_light(p->fill + 9, n)),
+             bright * c.z * (light + fill_light(p->fill + 18, n)));
 #else
-  c = scale3(light, c);
+    c = scale3(light, c);
 #endif
-  real column = view.x / view.z + 0.5f * (float)(p->width - 1), row = view.y / view.z + 0.5f * (float)(p->height - 1);
-  real4 part[2] = {{view.x, view.y, view.z, column}, {row, c.x, c.y, c.z}};
-  for (int i = 0; i < 2; ++i) store_rows_apart(part[i], vertex + (size_t)VERTEX_RECORD * first + 4 * i, VERTEX_RECORD);
+    real column = view.x / view.z + 0.5f * (float)(p->width - 1), row = view.y / view.z + 0.5f * (float)(p->height - 1);
+    real4 part[2] = {{view.x, view.y, view.z, column}, {row, c.x, c.y, c.z}};
+    for (int i = 0; i < 2; ++i) store_rows_apart(part[i], vertex + (size_t)VERTEX_RECORD * first + 4 * i, VERTEX_RECORD);
+  }
 }
 __kernel void skin_vertices(DrawParams p, int per_item, int vertices, TABLE(float) position, TABLE(float) normal, TABLE(float) colour,
                             TABLE(float) map, __global float *vertex) {
-  FOR_EACH_GROUP(first, vertices) vertices_from(&p, first, vertices, position, normal, colour, map, vertex);
+  skin_vertices_of(&p, (int)get_global_id(0), per_item, vertices, position, normal, colour, map, vertex);
 }
 
 // A triangle's vertices in view coordinates.
@@ -130,6 +132,7 @@ INLINE Place place_at(const DrawParams *p, Triangle t, whole x, whole y) {
 
 // One number per pixel; no pixel has a triangle yet.
 __kernel void skin_clear(int per_item, int pixels, __global uint *depth, __global int *owner) {
+  int item = (int)get_global_id(0);
   FOR_EACH_GROUP(first, pixels) {
     for (int i = first; i < min(first + LANES, pixels); ++i) {
       depth[i] = as_uint(NO_DEPTH);
@@ -138,65 +141,69 @@ __kernel void skin_clear(int per_item, int pixels, __global uint *depth, __globa
   }
 }
 
-// Runs BODY once for each fragment k of LANES triangles. pixel[k] is the number of the fragment's pixel, bits[k] the bits of its
-// depth, and number[k] the number of its triangle. Depths are positive. Of two positive floats, the larger one has the larger
-// bits.
+// Runs BODY once for each fragment k of the triangles of work-item `item`. pixel[k] is the number of the fragment's pixel,
+// bits[k] the bits of its depth, and number[k] the number of its triangle. Depths are positive. Of two positive floats, the
+// larger one has the larger bits.
 #define FOR_EACH_FRAGMENT(BODY) \
-  whole t = lane_numbers() + first; \
-  truth exists = t < WHOLE(triangles); \
-  Corners corners = load_corners(index, vertex, exists ? t : WHOLE(first)); \
-  Triangle triangle = triangle_of(corners); \
-  Bounds bounds = bounds_of(p, corners, exists); \
-  for (whole y = bounds.top; some(y <= bounds.bottom); y = y + 1) \
-    for (whole x = bounds.left; some((x <= bounds.right) && (y <= bounds.bottom)); x = x + 1) { \
-      Place here = place_at(p, triangle, x, y); \
-      truth inside = here.inside && (x <= bounds.right) && (y <= bounds.bottom); \
-      if (!some(inside)) continue; \
-      int pixel[LANES], bits[LANES], number[LANES]; \
-      int count = squeeze(y * p->width + x, inside, pixel); \
-      squeeze(bits_as_whole(here.depth), inside, bits); \
-      squeeze(t, inside, number); \
-      for (int k = 0; k < count; ++k) { BODY } \
-    }
+  FOR_EACH_GROUP(first, triangles) { \
+    whole t = lane_numbers() + first; \
+    truth exists = t < WHOLE(triangles); \
+    Corners corners = load_corners(index, vertex, exists ? t : WHOLE(first)); \
+    Triangle triangle = triangle_of(corners); \
+    Bounds bounds = bounds_of(p, corners, exists); \
+    for (whole y = bounds.top; some(y <= bounds.bottom); y = y + 1) \
+      for (whole x = bounds.left; some((x <= bounds.right) && (y <= bounds.bottom)); x = x + 1) { \
+        Place here = place_at(p, triangle, x, y); \
+        truth inside = here.inside && (x <= bounds.right) && (y <= bounds.bottom); \
+        if (!some(inside)) continue; \
+        int pixel[LANES], bits[LANES], number[LANES]; \
+        int count = squeeze(y * p->width + x, inside, pixel); \
+        squeeze(bits_as_whole(here.depth), inside, bits); \
+        squeeze(t, inside, number); \
+        for (int k = 0; k < count; ++k) { BODY } \
+      } \
+  }
 
 // depth: bits of the depth. It only decreases, so the test before the atomic operation leaves out no triangle.
-CALLED void depths_from(const DrawParams *p, int first, int triangles, TABLE(int) index, TABLE(float) vertex,
-                        volatile __global uint *depth) {
+CALLED void skin_depths_of(const DrawParams *restrict p, int item, int per_item, int triangles, TABLE(int) index,
+                           TABLE(float) vertex, volatile __global uint *depth) {
   FOR_EACH_FRAGMENT(if ((uint)bits[k] < depth[pixel[k]]) atomic_min(depth + pixel[k], (uint)bits[k]);)
 }
 __kernel void skin_depth(DrawParams p, int per_item, int triangles, TABLE(int) index, TABLE(float) vertex, volatile __global uint *depth) {
-  FOR_EACH_GROUP(first, triangles) depths_from(&p, first, triangles, index, vertex, depth);
+  skin_depths_of(&p, (int)get_global_id(0), per_item, triangles, index, vertex, depth);
 }
 
-CALLED void owners_from(const DrawParams *p, int first, int triangles, TABLE(int) index, TABLE(float) vertex, TABLE(uint) depth,
-                        volatile __global int *owner) {
+CALLED void skin_owners_of(const DrawParams *restrict p, int item, int per_item, int triangles, TABLE(int) index,
+                           TABLE(float) vertex, TABLE(uint) depth, volatile __global int *owner) {
   FOR_EACH_FRAGMENT(if ((uint)bits[k] == depth[pixel[k]]) atomic_min(owner + pixel[k], number[k]);)
 }
 __kernel void skin_owner(DrawParams p, int per_item, int triangles, TABLE(int) index, TABLE(float) vertex, TABLE(uint) depth,
                          volatile __global int *owner) {
-  FOR_EACH_GROUP(first, triangles) owners_from(&p, first, triangles, index, vertex, depth, owner);
+  skin_owners_of(&p, (int)get_global_id(0), per_item, triangles, index, vertex, depth, owner);
 }
 
 // skin: red, green, blue and the view depth of each pixel. The depth is NO_DEPTH where there is no skin.
-CALLED void colours_from(const DrawParams *p, int first, int pixels, TABLE(int) index, TABLE(float) vertex, TABLE(int) depth,
-                         TABLE(int) owner, __global float *skin) {
-  whole pixel = min(lane_numbers() + first, WHOLE(pixels - 1)), t = gather_whole(owner, pixel);
-  truth hit = t != WHOLE(NO_OWNER);
-  real4 out = {REAL(0.0f), REAL(0.0f), REAL(0.0f), REAL(NO_DEPTH)};
-  if (some(hit)) {
-    Corners v = load_corners(index, vertex, hit ? t : WHOLE(0));
-    whole y = pixel / p->width;
-    Place here = place_at(p, triangle_of(v), pixel - y * p->width, y);
+CALLED void skin_colours_of(const DrawParams *restrict p, int item, int per_item, int pixels, TABLE(int) index,
+                            TABLE(float) vertex, TABLE(int) depth, TABLE(int) owner, __global float *skin) {
+  FOR_EACH_GROUP(first, pixels) {
+    whole pixel = min(lane_numbers() + first, WHOLE(pixels - 1)), t = gather_whole(owner, pixel);
+    truth hit = t != WHOLE(NO_OWNER);
+    real4 out = {REAL(0.0f), REAL(0.0f), REAL(0.0f), REAL(NO_DEPTH)};
+    if (some(hit)) {
+      Corners v = load_corners(index, vertex, hit ? t : WHOLE(0));
+      whole y = pixel / p->width;
+      Place here = place_at(p, triangle_of(v), pixel - y * p->width, y);
 #define MEAN(colour) (hit ? fma(here.a, v.a2.colour, fma(here.b, v.b2.colour, here.c * v.c2.colour)) : REAL(0.0f))
-    out.x = MEAN(y);
-    out.y = MEAN(z);
-    out.z = MEAN(w);
+      out.x = MEAN(y);
+      out.y = MEAN(z);
+      out.z = MEAN(w);
 #undef MEAN
-    out.w = hit ? bits_as_real(gather_whole(depth, pixel)) : REAL(NO_DEPTH);
+      out.w = hit ? bits_as_real(gather_whole(depth, pixel)) : REAL(NO_DEPTH);
+    }
+    store_rows_apart(out, skin + (size_t)4 * first, 4);
   }
-  store_rows_apart(out, skin + (size_t)4 * first, 4);
 }
 __kernel void skin_colours(DrawParams p, int per_item, int pixels, TABLE(int) index, TABLE(float) vertex, TABLE(int) depth,
                            TABLE(int) owner, __global float *skin) {
-  FOR_EACH_GROUP(first, pixels) colours_from(&p, first, pixels, index, vertex, depth, owner, skin);
+  skin_colours_of(&p, (int)get_global_id(0), per_item, pixels, index, vertex, depth, owner, skin);
 }
