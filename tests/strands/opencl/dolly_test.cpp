@@ -131,8 +131,7 @@ TEST_P(Dolly, HardlyPopsAndKeepsItsCoverage) {
   EXPECT_LE(std::sqrt(part.sum() / all.sum()), 1.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(LevelOfDetail, Dolly, testing::Values("bunny", "torus"),
-                         [](const auto& model) { return std::string(model.param); });
+INSTANTIATE_TEST_SUITE_P(LevelOfDetail, Dolly, testing::Values("bunny", "torus"), pelage::test::by_parameter);
 
 }  // namespace
 }  // namespace pelage::strands
