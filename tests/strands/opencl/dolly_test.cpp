@@ -13,6 +13,7 @@
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/groom/fur.hpp"
 #include "tests/strands/support/device_picture.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::strands {
 namespace {
