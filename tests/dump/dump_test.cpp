@@ -15,6 +15,7 @@
 #include "tests/dump/table.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/synthetic.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
@@ -133,11 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Dumps,
                          testing::Values(std::pair("silva", "shared"), std::pair("silva", "separate"),
                                          std::pair("sticks", "shared"),
                                          std::pair("separable-prisms", "shared")),
-                         [](const auto& given) {
-                           std::string text = std::string(given.param.first) + "_" + given.param.second;
-                           std::replace(text.begin(), text.end(), '-', '_');
-                           return text;
-                         });
+                         test::by_parameter);
 
 // docs/shells.md may name only datasets of the table of docs/dump.md.
 TEST(Document, NamesOnlyDatasetsOfItsTable) {
@@ -241,11 +238,7 @@ TEST_P(Velocities, AreTheReferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Velocities, testing::Values("silva", "sticks", "separable-prisms"),
-                         [](const auto& given) {
-                           std::string text = given.param;
-                           std::replace(text.begin(), text.end(), '-', '_');
-                           return text;
-                         });
+                         test::by_parameter);
 
 }  // namespace
 }  // namespace pelage

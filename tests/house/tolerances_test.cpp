@@ -72,7 +72,7 @@ TEST(Tolerances, PlantedOnesAreFound) {
   const std::pair<const char*, const char*> planted[] = {
       {"harness/commands/check.cpp", "constexpr double most_tip_error = 1e-3, usual_tip_error = 1e-5;"},
       {"harness/subjects/opengl.cpp", "constexpr double least_psnr = 55.0;  // dB"},
-      {"tests/shells/opengl/picture_test.cpp", "constexpr double least_psnr = 55.0;"},
+      {"tests/shells/opengl/opengl_test.cpp", "constexpr double least_psnr = 55.0;"},
       {"harness/compare/checks.cpp", R"(  return {{against, "worst", found.worst, 1e-4, false}};)"},
       {"harness/springs/studies/duel.cpp", R"(        {"reference", "residual", left, 1e-3, false},)"},
       {"harness/compare/checks.cpp",

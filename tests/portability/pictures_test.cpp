@@ -8,6 +8,7 @@
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/portability/elsewhere.hpp"
 #include "tests/support/synthetic.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::portability {
 namespace {
@@ -90,9 +91,7 @@ TEST_P(Pictures, AreThoseOfThisMachinesDeviceAndOfTheReference) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Pictures, testing::ValuesIn(cases()), [](const auto& given) {
-  return std::get<0>(given.param).name + "_" + std::get<1>(given.param);
-});
+INSTANTIATE_TEST_SUITE_P(Of, Pictures, testing::ValuesIn(cases()), pelage::test::by_parameter);
 
 }  // namespace
 }  // namespace pelage::portability

@@ -64,10 +64,7 @@ TEST_P(Topologies, MoveAsTheReferenceDoes) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Topologies,
                          testing::Combine(testing::ValuesIn(places()), testing::ValuesIn(kinds)),
-                         [](const auto& given) {
-                           return std::get<0>(given.param).name + "_" +
-                                  with_underscores(std::string(name(std::get<1>(given.param))));
-                         });
+                         pelage::test::by_parameter);
 
 }  // namespace
 }  // namespace pelage::portability

@@ -135,30 +135,22 @@ glm::vec2 centre(int x, int y) {
   return {(float(x) + 0.5f) / size, (float(y) + 0.5f) / size};
 }
 
-TEST(SurfaceMap, ATexelHoldsThePointUnderItsCentre) {
-  const auto map = surface_map(strip(0, false), size);
-  ASSERT_EQ(map.size(), std::size_t(size * size));
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      const glm::vec3 point = map[std::size_t(y) * std::size_t(size) + std::size_t(x)];
-      EXPECT_NEAR(point.x, centre(x, y).x, 1e-6f);
-      EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f);
+// A texel has the point under its centre. With `low` = 1/4, texel columns 0 to 7 are outside the triangles.
+// The nearest covered column is column 8. On a periodic map, however, columns 0 to 3 are nearer to column 31
+// than to column 8.
+TEST(SurfaceMap, HasThePointUnderEachTexelAndTheGutterOfAPeriodicMapWraps) {
+  for (const float low : {0.0f, 0.25f})
+    for (const bool periodic : {false, true}) {
+      const auto map = surface_map(strip(low, periodic), size);
+      ASSERT_EQ(map.size(), std::size_t(size * size));
+      for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+          const glm::vec3 point = map[std::size_t(y) * std::size_t(size) + std::size_t(x)];
+          const int nearest = low == 0 || x >= 8 ? x : periodic && x < 4 ? 31 : 8;
+          EXPECT_NEAR(point.x, centre(nearest, y).x, 1e-6f) << x << ' ' << y << ' ' << periodic;
+          EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f) << x << ' ' << y << ' ' << periodic;
+        }
     }
-}
-
-// Texel columns 0 to 7 are outside the triangles. The nearest covered column is column 8. On a periodic map,
-// however, columns 0 to 3 are nearer to column 31 than to column 8.
-TEST(SurfaceMap, TheGutterOfAPeriodicMapWraps) {
-  for (const bool periodic : {false, true}) {
-    const auto map = surface_map(strip(0.25f, periodic), size);
-    for (int y = 0; y < size; ++y)
-      for (int x = 0; x < 8; ++x) {
-        const glm::vec3 point = map[std::size_t(y) * std::size_t(size) + std::size_t(x)];
-        EXPECT_NEAR(point.x, centre(periodic && x < 4 ? 31 : 8, y).x, 1e-6f)
-            << x << ' ' << y << ' ' << periodic;
-        EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f) << x << ' ' << y << ' ' << periodic;
-      }
-  }
 }
 
 }  // namespace

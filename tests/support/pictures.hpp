@@ -30,6 +30,14 @@ constexpr int frames = 16;
 Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant = reference::Mutant::none,
                            bool eight_bit = false);
 
+/// Mistakes in the light, the order and the clumps of fur, which every comparison with the reference must
+/// see.
+inline constexpr reference::Mutant planted[] = {
+    reference::Mutant::layer_missing,      reference::Mutant::height_without_one,
+    reference::Mutant::triangles_reversed, reference::Mutant::front_faces_culled,
+    reference::Mutant::uv_swapped,         reference::Mutant::mask_bilinear,
+    reference::Mutant::droplets_reversed,  reference::Mutant::log_negated};
+
 bool same_bits(const Picture& a, const Picture& b);
 
 /// Returns a summary for the message of a failed test. A pixel is flipped if it differs from the reference by

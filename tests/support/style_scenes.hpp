@@ -1,14 +1,17 @@
 // Scenes with maps of the fur's shape and with colliders, for all pipelines.
 #pragma once
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
 
+#include "harness/mesh/mesh.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage::style_scenes {
 
@@ -53,6 +56,33 @@ inline float wavy(glm::vec2 uv) {
   return 0.55f + 0.45f * std::sin(6.2831853f * uv.x) * std::cos(12.566371f * uv.y);
 }
 
+/// A scalar key of a scene, and the map that multiplies it.
+struct MapKey {
+  const char* name;
+  std::filesystem::path& map;
+  float& value;
+};
+inline std::array<MapKey, 5> map_keys(Scene& s) {
+  return {{{"length", s.fur.length_map, s.fur.length},
+           {"density", s.fur.density_map, s.fur.density},
+           {"comb", s.fur.comb_map, s.fur.comb},
+           {"radius", s.curl.radius_map, s.curl.radius},
+           {"turns", s.curl.turns_map, s.curl.turns}}};
+}
+inline void set_maps(Scene& s, const std::filesystem::path& map) {
+  for (const MapKey& key : map_keys(s)) key.map = map;
+}
+
+/// Returns small_torus() with wavy maps of all these keys.
+inline std::shared_ptr<const FrameInput> with_all_maps(const std::function<void(Scene&)>& change) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  return small_torus([&](Scene& s) {
+    set_maps(s, map);
+    change(s);
+  });
+}
+
 /// A torus with long fur, without colliders unless `change` adds some. Its axis is y. The circle in its tube
 /// has the radius 0.71, and the radius of the tube is 0.29.
 inline std::shared_ptr<const FrameInput> long_fur(const std::function<void(Scene&)>& change = {}) {
@@ -65,21 +95,26 @@ inline std::shared_ptr<const FrameInput> long_fur(const std::function<void(Scene
   });
 }
 
-/// Adds colliders of all kinds that press long_fur(): a ball, a bar that moves, and the mesh in the file
-/// `body`.
-inline void press(Scene& s, const std::filesystem::path& body) {
-  ContactSphereScene& ball = s.contact.spheres.emplace_back();
-  ball.centre = {0.72f, 0.7f, 0.1f};
-  ball.radius = 0.36f;
-  ContactCapsuleScene& bar = s.contact.capsules.emplace_back();
-  bar.from = {-0.4f, 0.57f, 0.5f};
-  bar.to = {0.5f, 0.57f, 0.75f};
-  bar.radius = 0.22f;
-  bar.motion.velocity = {0.1f, 0, 0};
-  s.contact.mesh.file = body;
-  s.contact.mesh.position = {-0.5f, 0.5f, 0.5f};
-  s.contact.mesh.scale = 0.4f;
-  s.contact.mesh.cells = 32;
+/// Returns long_fur() that colliders of all kinds press: a ball, a bar that moves, and a torus in a file.
+inline std::shared_ptr<const FrameInput> pressed_fur(const std::function<void(Scene&)>& change = {}) {
+  const test::Folder folder;
+  const auto torus = folder.path / "torus.ply";
+  write_ply(torus, *load_model("torus-24x16"));
+  return long_fur([&](Scene& s) {
+    ContactSphereScene& ball = s.contact.spheres.emplace_back();
+    ball.centre = {0.72f, 0.7f, 0.1f};
+    ball.radius = 0.36f;
+    ContactCapsuleScene& bar = s.contact.capsules.emplace_back();
+    bar.from = {-0.4f, 0.57f, 0.5f};
+    bar.to = {0.5f, 0.57f, 0.75f};
+    bar.radius = 0.22f;
+    bar.motion.velocity = {0.1f, 0, 0};
+    s.contact.mesh.file = torus;
+    s.contact.mesh.position = {-0.5f, 0.5f, 0.5f};
+    s.contact.mesh.scale = 0.4f;
+    s.contact.mesh.cells = 32;
+    if (change) change(s);
+  });
 }
 
 }  // namespace pelage::style_scenes

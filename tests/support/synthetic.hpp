@@ -1,6 +1,7 @@
 // Frame inputs computed by formulas. Tests that use them need no mesh file and no preparation stage.
 #pragma once
 #include <functional>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "harness/prepare/frame_input.hpp"
@@ -39,5 +40,13 @@ Camera camera(const CameraScene& scene, int width, int height);
 
 /// Returns a pseudorandom number in [0, 1) that depends only on the three arguments.
 double noise(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+/// A reproducible sequence of numbers in [-1, 1).
+struct Any {
+  std::uint32_t seed, count = 0;
+  double operator()() { return 2 * noise(seed, count++, 31) - 1; }
+  glm::dvec3 vector() { return {(*this)(), (*this)(), (*this)()}; }
+  glm::dvec3 direction() { return glm::normalize(vector()); }
+};
 
 }  // namespace pelage::synthetic

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -88,6 +89,29 @@ inline void expect_lacks(const std::string& text, const std::string& part,
                          const Place& at = Place::current()) {
   expect_lacks(text, {part}, at);
 }
+
+/// Names the tests of a parameterized suite by the text or by the field `name` of their parameters, or by
+/// those of the elements of a pair or a tuple. A character that a name must not have becomes '_'.
+struct ByParameter {
+  template <class T>
+  static std::string text(const T& value) {
+    if constexpr (requires { value.name; })
+      return std::string(value.name);
+    else if constexpr (requires { std::tuple_size<T>::value; })
+      return std::apply(
+          [](const auto& first, const auto&... others) { return (text(first) + ... + ("_" + text(others))); },
+          value);
+    else if constexpr (std::is_arithmetic_v<T>)
+      return std::to_string(value);
+    else
+      return value;
+  }
+  template <class T>
+  std::string operator()(const testing::TestParamInfo<T>& given) const {
+    return std::regex_replace(text(given.param), std::regex("\\W"), "_");
+  }
+};
+inline constexpr ByParameter by_parameter;
 
 /// An input, and a text that the message of its refusal must contain.
 using Bad = std::pair<std::string, std::string>;

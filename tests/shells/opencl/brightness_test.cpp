@@ -1,7 +1,6 @@
 // Tests that the scenes of examples/ are as bright with 16 layers as with 64.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "harness/prepare/prepare.hpp"
@@ -68,11 +67,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, Looks,
                                          Look{"small-curls", {}, {}}, Look{"dry", {}, {}},
                                          Look{"wet", {}, {}},
                                          Look{"grass", {}, {"fur.sweep=0.25", "fur.bend=12"}}),
-                         [](const auto& param) {
-                           std::string name = param.param.name;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::by_parameter);
 
 }  // namespace
 }  // namespace pelage

@@ -125,9 +125,6 @@ TEST(Determinism, MappingsAgree) {
 
 using reference::Mutant;
 
-constexpr Mutant planted[] = {
-    Mutant::layer_missing, Mutant::height_without_one, Mutant::triangles_reversed, Mutant::front_faces_culled,
-    Mutant::uv_swapped,    Mutant::mask_bilinear,      Mutant::droplets_reversed,  Mutant::log_negated};
 /// Mistakes in the light of wet fur, in addition.
 constexpr Mutant planted_wet[] = {Mutant::tangent_reversed, Mutant::eye_reversed, Mutant::facing_swapped};
 

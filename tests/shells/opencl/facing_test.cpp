@@ -148,8 +148,7 @@ TEST(Facing, ATurningBunnyPopsNoMoreThanInTheMeshsOrder) {
   EXPECT_LE(both.worst, all.worst);
 }
 
-INSTANTIATE_TEST_SUITE_P(Device, FacesOf, testing::ValuesIn(mappings()),
-                         [](const auto& given) { return std::string(given.param); });
+INSTANTIATE_TEST_SUITE_P(Device, FacesOf, testing::ValuesIn(mappings()), test::by_parameter);
 
 // Tests blend.order "depth": the fragments of a pixel are blended by depth (docs/shells.md, section 5).
 

@@ -163,8 +163,7 @@ TEST_P(Passes, OfTwoSweepsAreOnePicture) {
   expect_parts_of_one_picture(tiny_frame("back-then-front"), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Device, Passes, testing::ValuesIn(mappings()),
-                         [](const auto& given) { return std::string(given.param); });
+INSTANTIATE_TEST_SUITE_P(Device, Passes, testing::ValuesIn(mappings()), test::by_parameter);
 
 // Shells::tally() counts fragments with the mapping `pixel`, and Shells::count() with the mapping that draws
 // the pictures. A tally may be an estimate from a random sample of pixels.

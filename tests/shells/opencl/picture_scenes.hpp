@@ -9,6 +9,7 @@
 
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/support/pictures.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::pictures {
 
@@ -16,6 +17,10 @@ namespace pelage::pictures {
 inline cl::Device device() {
   static const cl::Device shared = cl::choose_device("");  // keeps the programs that the tests have built
   return shared;
+}
+
+inline Shells shells_of(const FrameInput& input, const ShellOptions& options = {}) {
+  return Shells(device(), std::make_shared<FrameInput>(input), options);
 }
 
 /// Draws the picture after `frames` frames.

@@ -44,8 +44,7 @@ const Mapping tested_mappings[] = {
     {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // this mapping is slow for tiles with many triangles
 
 struct Coverage : testing::TestWithParam<Mapping> {};
-INSTANTIATE_TEST_SUITE_P(Device, Coverage, testing::ValuesIn(tested_mappings),
-                         [](const auto& given) { return std::string(given.param.name); });
+INSTANTIATE_TEST_SUITE_P(Device, Coverage, testing::ValuesIn(tested_mappings), test::by_parameter);
 
 /// Returns a random triangle of a random kind: small, thin, aligned with pixel centres, and so on. The
 /// coordinates are in units of 1/256 pixel.
@@ -81,29 +80,37 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
   }
 }
 
+/// A mesh of separate triangles, and the number of triangles that cover each pixel of a square picture.
+struct Expected {
+  Flat flat;
+  std::vector<int> counts;
+
+  explicit Expected(int side) : flat{{}, {}, side, side}, counts(std::size_t(side) * std::size_t(side), 0) {}
+  void add(const std::array<Snapped, 3>& c) {
+    const auto first = std::uint32_t(flat.vertex.size());
+    for (const Snapped& s : c) flat.vertex.emplace_back(float(double(s.x) / 256), float(double(s.y) / 256));
+    flat.triangle.emplace_back(first, first + 1, first + 2);
+    const Raster raster(c, flat.width, flat.height);
+    const Window box = raster.box({0, 0, flat.width, flat.height});
+    for (int y = box.y; y < box.y + box.height; ++y)
+      for (int x = box.x; x < box.x + box.width; ++x)
+        counts[std::size_t(y) * std::size_t(flat.width) + std::size_t(x)] += raster.edges(x, y).covered;
+  }
+  int most() const { return *std::max_element(counts.begin(), counts.end()); }
+};
+
 TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
   const auto& [name, options, pictures, triangles, repeats, coarser, spokes, least] = GetParam();
   std::size_t wrong = 0, hits = 0;
   for (int p = 0; p < pictures; ++p) {
     std::mt19937 random{std::uint32_t(p)};
-    Flat flat{{}, {}, size, size};
-    std::vector<int> expected(std::size_t(size) * size, 0);
-    for (int t = 0; t < triangles; ++t) {
-      const std::array<Snapped, 3> c = awkward(random);
-      const std::uint32_t first = std::uint32_t(flat.vertex.size());
-      for (const Snapped& s : c) flat.vertex.emplace_back(float(double(s.x) / 256), float(double(s.y) / 256));
-      flat.triangle.emplace_back(first, first + 1, first + 2);
-      const Raster raster(c, size, size);
-      const Window box = raster.box({0, 0, size, size});
-      for (int y = box.y; y < box.y + box.height; ++y)
-        for (int x = box.x; x < box.x + box.width; ++x)
-          expected[std::size_t(y) * size + std::size_t(x)] += raster.edges(x, y).covered;
-    }
-    ASSERT_LE(*std::max_element(expected.begin(), expected.end()), 50);
-    const std::vector<int> counts = covered_counts(flat, options);
+    Expected expected(size);
+    for (int t = 0; t < triangles; ++t) expected.add(awkward(random));
+    ASSERT_LE(expected.most(), 50);
+    const std::vector<int> counts = covered_counts(expected.flat, options);
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      wrong += counts[i] != expected[i];
-      hits += std::size_t(expected[i]);
+      wrong += counts[i] != expected.counts[i];
+      hits += std::size_t(expected.counts[i]);
     }
   }
   EXPECT_EQ(wrong, 0u);
@@ -114,11 +121,9 @@ TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
 // in x and in y, from the tiles near this point. The edge functions of these triangles nevertheless need more
 // than 32 bits.
 TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
-  constexpr int side = 256;
   std::mt19937 random(5);
   const auto within = [&](int range) { return int(random() % std::uint32_t(2 * range + 1)) - range; };
-  Flat flat{{}, {}, side, side};
-  std::vector<int> expected(std::size_t(side) * side, 0);
+  Expected expected(256);
   for (int t = 0; t < 40; ++t) {
     std::array<Snapped, 3> c;
     for (int k = 0; k < 3; ++k) {  // three corners of a square of 220 pixels, each moved by up to 6 pixels
@@ -127,16 +132,10 @@ TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
                            (corner >= 2 ? 110 : -110) * 256 + within(6 * 256)};
     }
     if (random() % 2) std::swap(c[1], c[2]);
-    const auto first = std::uint32_t(flat.vertex.size());
-    for (const Snapped& s : c) flat.vertex.emplace_back(float(double(s.x) / 256), float(double(s.y) / 256));
-    flat.triangle.emplace_back(first, first + 1, first + 2);
-    const Raster raster(c, side, side);
-    for (int y = 0; y < side; ++y)
-      for (int x = 0; x < side; ++x)
-        expected[std::size_t(y) * side + std::size_t(x)] += raster.edges(x, y).covered;
+    expected.add(c);
   }
-  ASSERT_GT(*std::max_element(expected.begin(), expected.end()), 20);
-  EXPECT_TRUE(covered_counts(flat, GetParam().options) == expected);
+  ASSERT_GT(expected.most(), 20);
+  EXPECT_TRUE(covered_counts(expected.flat, GetParam().options) == expected.counts);
 }
 
 /// Returns a mesh with the vertices `v`, which form a grid. Each cell of the grid is split into two

@@ -27,7 +27,7 @@ namespace {
 
 namespace shim = in_double;
 using shim::real3;
-using synthetic::noise;
+using synthetic::Any;
 
 constexpr double tight = 1e-12;
 
@@ -37,14 +37,6 @@ glm::dvec3 to_glm(const real3& v) {
 real3 in_shim(const glm::dvec3& v) {
   return shim::vec3(v.x, v.y, v.z);
 }
-
-/// A reproducible sequence of numbers in [-1, 1].
-struct Any {
-  std::uint32_t seed, count = 0;
-  double operator()() { return 2 * noise(seed, count++, 31) - 1; }
-  glm::dvec3 vector() { return {(*this)(), (*this)(), (*this)()}; }
-  glm::dvec3 direction() { return glm::normalize(vector()); }
-};
 
 void expect_within(const glm::dvec3& a, const glm::dvec3& b, double tolerance = tight) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance);

@@ -15,6 +15,7 @@
 namespace pelage {
 namespace {
 
+using pictures::shells_of;
 using synthetic::noise;
 
 /// Returns a scene with upright strands of length .1 R, one substep per frame, and a picture of 16 x 16
@@ -34,12 +35,8 @@ FrameInput bare(const Scene& scene) {
   return synthetic::frame(scene, synthetic::torus(), 9, 7, 0);
 }
 
-Shells shells(const FrameInput& input) {
-  return Shells(pictures::device(), std::make_shared<FrameInput>(input));
-}
-
 std::vector<glm::dvec3> tips_after(const FrameInput& input, int frames) {
-  Shells device = shells(input);
+  Shells device = shells_of(input);
   device.advance(frames);
   EXPECT_EQ(device.frames_simulated(), frames);
   const std::vector<glm::vec3> tips = device.tips();
@@ -67,7 +64,7 @@ TEST(KernelStrands, Equation3HoldsUnderRandomForces) {
     scene.dynamics.gravity = 150.f * glm::vec3(any(0), any(1), any(2));
     scene.dynamics.wind = {{any(3), any(4), any(5)}, any(6), 2, 5 * any(7), 1};
     const FrameInput input = bare(scene);
-    Shells device = shells(input);
+    Shells device = shells_of(input);
     for (int frame = 0; frame < 60; ++frame) {
       device.advance(1);
       const std::vector<glm::vec3> tips = device.tips();
@@ -130,7 +127,7 @@ TEST(KernelStrands, FollowTheReference) {
 
 TEST(KernelStrands, FramesContinueWhereTheLastOneStopped) {
   const FrameInput input = *pictures::small_frame("curling");
-  Shells device = shells(input);
+  Shells device = shells_of(input);
   device.advance(3);
   device.frame();
   device.advance(2);
@@ -160,7 +157,7 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
     for (const std::uint32_t count : {0u, 1u, 40u, 41u, 400u, 401u}) {
       FrameInput input = rained(size, count, std::uint32_t(size));
       if (count % 40 == 1) input.scene.wetness.blend = "overlap";
-      Shells drawn = shells(input);
+      Shells drawn = shells_of(input);
       EXPECT_EQ(drawn.mask_time().all > 0, count > 0) << "no droplets, no kernel";
       const std::vector<glm::vec4> mask = drawn.mask();
       const reference::Mask expected = reference::wetness_mask(input);
@@ -205,7 +202,7 @@ TEST(KernelMask, OfTwoDropletsIsThatOfTheReference) {
                                       {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)}}) {
     input.droplets = {first, second};
     const reference::Clump expected = reference::wetness_mask(input).texel[4 * 8 + 4];
-    const glm::dvec4 found(shells(input).mask()[4 * 8 + 4]);
+    const glm::dvec4 found(shells_of(input).mask()[4 * 8 + 4]);
     EXPECT_LT(glm::distance(found, glm::dvec4(expected.centre, expected.radius, expected.wetness)), 1e-6);
   }
 }

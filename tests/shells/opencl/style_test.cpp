@@ -7,7 +7,6 @@
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/mesh/mesh.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/files.hpp"
@@ -16,39 +15,8 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace pictures;
 using namespace style_scenes;
-
-/// A map of a scene, and the scalar key that it multiplies.
-struct MapKey {
-  const char* name;
-  fs::path& (*map)(Scene&);
-  float& (*value)(Scene&);
-};
-
-const MapKey keys[] = {
-    {"length", [](Scene& s) -> fs::path& { return s.fur.length_map; },
-     [](Scene& s) -> float& { return s.fur.length; }},
-    {"density", [](Scene& s) -> fs::path& { return s.fur.density_map; },
-     [](Scene& s) -> float& { return s.fur.density; }},
-    {"comb", [](Scene& s) -> fs::path& { return s.fur.comb_map; },
-     [](Scene& s) -> float& { return s.fur.comb; }},
-    {"radius", [](Scene& s) -> fs::path& { return s.curl.radius_map; },
-     [](Scene& s) -> float& { return s.curl.radius; }},
-    {"turns", [](Scene& s) -> fs::path& { return s.curl.turns_map; },
-     [](Scene& s) -> float& { return s.curl.turns; }},
-};
-
-/// Returns the torus with wavy maps of all keys.
-std::shared_ptr<const FrameInput> with_all_maps(const std::function<void(Scene&)>& change) {
-  const test::Folder folder;
-  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  return small_torus([&](Scene& s) {
-    for (const MapKey& key : keys) key.map(s) = map;
-    change(s);
-  });
-}
 
 struct Maps : testing::TestWithParam<int> {  // the parameter is fur.substeps
   test::Folder folder;
@@ -60,36 +28,42 @@ struct Maps : testing::TestWithParam<int> {  // the parameter is fur.substeps
                            }),
                            "tile");
   }
+  /// Calls visit(k, name) for the index and the name of each of map_keys().
+  static void for_each_key(const std::function<void(std::size_t, const char*)>& visit) {
+    Scene scene;
+    for (std::size_t k = 0; k < map_keys(scene).size(); ++k) visit(k, map_keys(scene)[k].name);
+  }
 };
 struct AllMaps : Maps {};
 
 TEST_P(Maps, OfTheValueOneChangeNoBit) {
   const auto one = write_map(folder.path / "one.exr", 3, 2, [](glm::vec2) { return 1.0f; });
   const Picture expected = drawn([](Scene&) {});
-  for (const MapKey& key : keys)
-    EXPECT_TRUE(same_bits(drawn([&](Scene& s) { key.map(s) = one; }), expected)) << key.name;
+  for_each_key([&](std::size_t k, const char* name) {
+    EXPECT_TRUE(same_bits(drawn([&](Scene& s) { map_keys(s)[k].map = one; }), expected)) << name;
+  });
 }
 
 TEST_P(Maps, OfTheValueOneHalfAreHalfTheKeyBitForBit) {
   const auto half = write_map(folder.path / "half.exr", 3, 2, [](glm::vec2) { return 0.5f; });
   const Picture whole = drawn([](Scene&) {});
-  for (const MapKey& key : keys) {
-    const Picture mapped = drawn([&](Scene& s) { key.map(s) = half; });
-    EXPECT_TRUE(same_bits(mapped, drawn([&](Scene& s) { key.value(s) *= 0.5f; }))) << key.name;
-    EXPECT_FALSE(same_bits(mapped, whole)) << key.name << " has no effect";
-  }
+  for_each_key([&](std::size_t k, const char* name) {
+    const Picture mapped = drawn([&](Scene& s) { map_keys(s)[k].map = half; });
+    EXPECT_TRUE(same_bits(mapped, drawn([&](Scene& s) { map_keys(s)[k].value *= 0.5f; }))) << name;
+    EXPECT_FALSE(same_bits(mapped, whole)) << name << " has no effect";
+  });
 }
 
 TEST_P(Maps, LookLikeTheReference) {
   const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
-  for (const MapKey& key : keys) {
+  for_each_key([&](std::size_t k, const char* name) {
     const auto input = small_torus([&](Scene& s) {
       s.fur.substeps = GetParam();
       s.fur.density = 0.9f;
-      key.map(s) = map;
+      map_keys(s)[k].map = map;
     });
-    EXPECT_TRUE(drawn_alike(input, "tile", 2000)) << key.name;
-  }
+    EXPECT_TRUE(drawn_alike(input, "tile", 2000)) << name;
+  });
 }
 
 // All maps in one scene, because every further program takes seconds to compile.
@@ -142,24 +116,10 @@ TEST(MapOfTheLength, LimitsTheMovingStrands) {
 
 // Tests colliders that push the fur (docs/shells.md, section 9) on the device.
 
-struct Contact : testing::Test {
-  test::Folder folder;
-  std::filesystem::path torus = folder.path / "torus.ply";
-
-  Contact() { write_ply(torus, *load_model("torus-24x16")); }
-
-  std::shared_ptr<const FrameInput> pressed(const std::function<void(Scene&)>& change = {}) const {
-    return long_fur([&](Scene& s) {
-      press(s, torus);
-      if (change) change(s);
-    });
-  }
-};
-
-struct PressedFur : Contact, testing::WithParamInterface<int> {};
+struct PressedFur : testing::TestWithParam<int> {};
 
 TEST_P(PressedFur, LooksLikeTheReference) {
-  const auto input = pressed([&](Scene& s) { s.fur.substeps = GetParam(); });
+  const auto input = pressed_fur([&](Scene& s) { s.fur.substeps = GetParam(); });
   const Picture expected = drawn_by_reference(*input);
   for (const std::string& mapping : mappings())
     EXPECT_TRUE(same(expected, drawn_by_device(input, mapping))) << mapping;
@@ -170,8 +130,8 @@ TEST_P(PressedFur, LooksLikeTheReference) {
 INSTANTIATE_TEST_SUITE_P(Substeps, PressedFur, testing::Values(1));
 INSTANTIATE_TEST_SUITE_P(Full, PressedFur, testing::Values(4));
 
-TEST_F(Contact, MovesTheTipsOfTheReference) {
-  const auto input = pressed();
+TEST(Contact, MovesTheTipsOfTheReference) {
+  const auto input = pressed_fur();
   Shells shells(device(), input);
   shells.advance(frames);
   std::vector<glm::vec3> expected;
@@ -187,8 +147,8 @@ TEST_F(Contact, MovesTheTipsOfTheReference) {
 }
 
 // The measure of the depth is the true distance for spheres and capsules, and the field for the mesh.
-TEST_F(Contact, LeavesNoLayerDeeperInsideThanOneSpacing) {
-  const auto input = pressed();
+TEST(Contact, LeavesNoLayerDeeperInsideThanOneSpacing) {
+  const auto input = pressed_fur();
   const double time = reference::time_after(input->scene.dynamics, frames);
   const reference::Colliders colliders(*input, time);
   const reference::Geometry geometry(*input, reference::wetness_mask(*input), frames);
@@ -213,8 +173,8 @@ TEST_F(Contact, LeavesNoLayerDeeperInsideThanOneSpacing) {
 }
 
 // The colliders arrive, push the fur, and disappear; the fur must return to rest.
-TEST_F(Contact, EndsWithFurAtRest) {
-  const auto input = pressed([](Scene& s) {
+TEST(Contact, EndsWithFurAtRest) {
+  const auto input = pressed_fur([](Scene& s) {
     s.dynamics.wind.strength = 0;
     s.contact.spheres[0].motion.end = s.contact.capsules[0].motion.end = s.contact.mesh.motion.end = 0.2f;
   });
@@ -233,7 +193,7 @@ TEST_F(Contact, EndsWithFurAtRest) {
   EXPECT_GT(compare(shells.read(), free.read()).psnr, tolerance::picture_psnr);
 }
 
-TEST_F(Contact, WithCollidersElsewhereChangesNothing) {
+TEST(Contact, WithCollidersElsewhereChangesNothing) {
   const auto far = long_fur([](Scene& s) {
     ContactSphereScene sphere;
     sphere.centre = {0, 50, 0};
@@ -242,8 +202,8 @@ TEST_F(Contact, WithCollidersElsewhereChangesNothing) {
   EXPECT_EQ(compare(drawn_by_device(far, "tile"), drawn_by_device(long_fur(), "tile")).worst, 0);
 }
 
-TEST_F(Contact, WithClippedTrianglesLooksLikeTheReference) {
-  const auto input = pressed([](Scene& s) {
+TEST(Contact, WithClippedTrianglesLooksLikeTheReference) {
+  const auto input = pressed_fur([](Scene& s) {
     s.fur.layers = 8;
     s.camera.framed = false;
     s.camera.eye = {0.74f, .2f, -0.3f};
@@ -252,8 +212,8 @@ TEST_F(Contact, WithClippedTrianglesLooksLikeTheReference) {
   EXPECT_TRUE(drawn_alike(input, "tile"));
 }
 
-TEST_F(Contact, InSeveralPassesDrawsTheSamePicture) {
-  const auto input = pressed();
+TEST(Contact, InSeveralPassesDrawsTheSamePicture) {
+  const auto input = pressed_fur();
   EXPECT_EQ(compare(drawn_by_device(input, "tile"), drawn_with(input, {"tile", {}, 4})).worst, 0);
 }
 

@@ -42,10 +42,6 @@ FrameInput rainy(const char* cells = "consistent") {
   return input;
 }
 
-Shells shells_of(const FrameInput& input) {
-  return Shells(device(), std::make_shared<FrameInput>(input));
-}
-
 std::vector<glm::vec4> reference_mask(const FrameInput& input, int frames) {
   std::vector<glm::vec4> mask;
   for (const reference::Clump& t : reference::wetness_mask(input, frames).texel)
@@ -173,9 +169,7 @@ TEST(WetFrames, HaveTheLayersOfTheirTriangles) {
   drawn.frame();
   drawn.advance(frames - 2);
   drawn.frame();
-  ShellOptions all_layers;
-  all_layers.tuning = {{"REACH", 0}};
-  Shells other(device(), std::make_shared<FrameInput>(input), all_layers);
+  Shells other = shells_of(input, {"", {{"REACH", 0}}});
   other.advance(frames - 1);
   other.frame();
   EXPECT_TRUE(same_bits(drawn.read(), other.read()));

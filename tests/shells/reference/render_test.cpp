@@ -2,36 +2,27 @@
 // (Options::windows), the clipping of triangles, the 8-bit framebuffer, and opaque fur.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
-#include "harness/shells/reference/reference.hpp"
+#include "tests/support/pictures.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
 namespace {
 
+using pictures::small_frame;
 using reference::Options;
 using reference::render;
 
-FrameInput lively_torus(const char* model = "curling", const char* binding = "shared") {
-  Scene scene = synthetic::lively_scene();
-  scene.shading.model = model;
-  scene.fur.binding = binding;
-  return synthetic::frame(scene, synthetic::torus(), 48, 32, 60);
-}
-
-Options after(int frames) {
-  Options options;
-  options.frames = frames;
-  return options;
+Options after(int frames, reference::Mutant mutant = reference::Mutant::none) {
+  return {frames, false, {}, {}, mutant};
 }
 
 TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
   for (const char* binding : {"shared", "separate"}) {
-    const FrameInput input = lively_torus("wet", binding);
+    const FrameInput input = *small_frame("wet", binding);
     const Picture whole = render(input, after(20));
     Options options = after(20);
     options.windows = fur_windows(whole, 12, 16, 1);
@@ -49,7 +40,7 @@ TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
 // A window must show the fur of all faces whose fur may reach it. With a curl radius of five fur lengths,
 // some of these faces are far outside the window.
 TEST(ReferenceRender, WindowsShowFurThatAWideCurlBringsIn) {
-  FrameInput input = lively_torus();
+  FrameInput input = *small_frame("curling");
   input.scene.curl.radius = 0.25f;
   input.scene.fur.length = 0.05f;
   const Picture whole = render(input, after(1));
@@ -61,7 +52,7 @@ TEST(ReferenceRender, WindowsShowFurThatAWideCurlBringsIn) {
 }
 
 TEST(ReferenceRender, PixelsAreBackgroundFurOrSkin) {
-  const FrameInput input = lively_torus();
+  const FrameInput input = *small_frame("curling");
   const Picture picture = render(input, after(10));
   std::size_t background = 0, skin = 0, fur = 0;
   for (const glm::vec4& pixel : picture.pixel) {
@@ -79,7 +70,7 @@ TEST(ReferenceRender, PixelsAreBackgroundFurOrSkin) {
 }
 
 TEST(ReferenceRender, EightBitsRoundEveryPixelAndStayNear) {
-  FrameInput input = lively_torus();
+  FrameInput input = *small_frame("curling");
   // The PSNR limit below was determined with grey highlights and grey skin.
   input.scene.shading.specular = glm::vec3(.2f);
   input.scene.coat.skin = glm::vec3(.5f);
@@ -243,43 +234,23 @@ TEST(ReferenceRender, SkinInFrontHidesFurBehind) {
 }
 
 TEST(ReferenceRender, EveryMutantIsSeenAndTheOriginalIsNot) {
-  using reference::Mutant;
-  const FrameInput input = lively_torus();
+  const FrameInput input = *small_frame("curling");
   const Picture right = render(input, after(20));
   EXPECT_TRUE(within(compare(right, render(input, after(20)))));
-  for (const Mutant mutant : {Mutant::layer_missing, Mutant::height_without_one, Mutant::triangles_reversed,
-                              Mutant::front_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
-                              Mutant::droplets_reversed, Mutant::log_negated}) {
-    Options options = after(20);
-    options.mutant = mutant;
-    const Agreement agreement = compare(right, render(input, options));
+  for (const reference::Mutant mutant : pictures::planted) {
+    const Agreement agreement = compare(right, render(input, after(20, mutant)));
     EXPECT_FALSE(within(agreement)) << "mutant " << int(mutant) << ": " << agreement.psnr << " dB";
   }
 }
 
-TEST(ReferenceRender, SixtyFourWindowsOfALargeMeshAreQuick) {
-  Scene scene = synthetic::lively_scene();
-  scene.fur.layers = 64;
-  scene.image.width = 800;
-  scene.image.height = 600;
-  const FrameInput input = synthetic::frame(scene, synthetic::torus(), 100, 80, 60);
-  Options options = after(10);
-  for (int i = 0; i < 64; ++i) options.windows.push_back({100 + 70 * (i % 8), 120 + 45 * (i / 8), 16, 16});
-  const auto start = std::chrono::steady_clock::now();
-  const Picture picture = render(input, options);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  EXPECT_EQ(picture.width, 800);
-  RecordProperty("seconds", std::to_string(seconds));
-}
-
 TEST(ReferenceRender, RefusesInputsThatDoNotFit) {
-  FrameInput input = lively_torus();
+  FrameInput input = *small_frame("curling");
   input.strands.phase.pop_back();
   EXPECT_THROW(render(input, {}), InputError);
-  input = lively_torus();
+  input = *small_frame("curling");
   input.mesh = nullptr;
   EXPECT_THROW(render(input, {}), InputError);
-  input = lively_torus();
+  input = *small_frame("curling");
   input.fur.layers = 8;
   EXPECT_THROW(render(input, {}), InputError);
 }

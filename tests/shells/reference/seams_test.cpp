@@ -11,6 +11,7 @@
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "tests/support/synthetic.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::reference {
 namespace {
@@ -86,10 +87,8 @@ TEST_P(SeamsOf, WetSpotsGoOnAcrossSeams) {
   EXPECT_LE(seams.share(), 1.5 * inside.share());
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, SeamsOf, testing::Values("torus", "bunny"),
-                         [](const auto& given) { return std::string(given.param); });
-INSTANTIATE_TEST_SUITE_P(Full, SeamsOf, testing::Values("horse", "elephant"),
-                         [](const auto& given) { return std::string(given.param); });
+INSTANTIATE_TEST_SUITE_P(Models, SeamsOf, testing::Values("torus", "bunny"), test::by_parameter);
+INSTANTIATE_TEST_SUITE_P(Full, SeamsOf, testing::Values("horse", "elephant"), test::by_parameter);
 
 TEST(Seams, ADropletAtTheBorderOfAPeriodicMapIsRepeatedOnTheOppositeSide) {
   const Mesh mesh = synthetic::grid(synthetic::torus(), 40, 24);

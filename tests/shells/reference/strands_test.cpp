@@ -208,10 +208,6 @@ using namespace reference;
 
 const glm::dvec3 a(.02, -.03, .09), b(.05, .06, .04), u(1, 0, 0), v(0, 1, 0);
 
-double distance(const glm::dvec3& p, const glm::dvec3& q) {
-  return glm::length(p - q);
-}
-
 TEST(ReferenceLayers, HeightsRunFromOneNthToOne) {
   EXPECT_DOUBLE_EQ(layer_height(0, 16), 1.0 / 16);
   EXPECT_DOUBLE_EQ(layer_height(15, 16), 1.0);
@@ -221,17 +217,17 @@ TEST(ReferenceLayers, HeightsRunFromOneNthToOne) {
 TEST(ReferenceLayers, TheCurveStartsAtTheRootAndEndsAtTheTip) {
   EXPECT_EQ(bezier(a, b, 0), glm::dvec3(0));
   EXPECT_EQ(bezier(a, b, 1), b);
-  EXPECT_LT(distance(bezier(a, b, .5), .5 * a + .25 * b), 1e-16);
+  EXPECT_LT(apart(bezier(a, b, .5), .5 * a + .25 * b), 1e-16);
   // The control points of the curve are the root, the point root + a, and the tip root + b. The curve leaves
   // the root in the direction of a, and reaches the tip in the direction of b - a.
-  EXPECT_LT(distance(bezier(a, b, 1e-7) / 1e-7, 2.0 * a), 1e-7);
-  EXPECT_LT(distance((bezier(a, b, 1) - bezier(a, b, 1 - 1e-7)) / 1e-7, 2.0 * (b - a)), 1e-6);
+  EXPECT_LT(apart(bezier(a, b, 1e-7) / 1e-7, 2.0 * a), 1e-7);
+  EXPECT_LT(apart((bezier(a, b, 1) - bezier(a, b, 1 - 1e-7)) / 1e-7, 2.0 * (b - a)), 1e-6);
 }
 
 TEST(ReferenceLayers, RestHeightsAreQuadraticOnPaperAndLinearWhenUniform) {
   for (const double h : {0.0, .1, .5, .9, 1.0}) {
-    EXPECT_LT(distance(bezier(a, a, bezier_parameter(h, "paper")), (1 - (1 - h) * (1 - h)) * a), 1e-16);
-    EXPECT_LT(distance(bezier(a, a, bezier_parameter(h, "uniform")), h * a), 1e-15);
+    EXPECT_LT(apart(bezier(a, a, bezier_parameter(h, "paper")), (1 - (1 - h) * (1 - h)) * a), 1e-16);
+    EXPECT_LT(apart(bezier(a, a, bezier_parameter(h, "uniform")), h * a), 1e-15);
   }
 }
 
@@ -241,9 +237,9 @@ TEST(ReferenceLayers, CurlVanishesAtTheRootAndWhereSoaked) {
 }
 
 TEST(ReferenceLayers, CurlIsASpiralOfTheGivenRadiusAndTurns) {
-  EXPECT_LT(distance(curl(1, 0, .05, 2, u, v), .05 * u), 1e-15);
-  EXPECT_LT(distance(curl(.25, 0, .05, 1, u, v), .05 * .25 * v), 1e-15);
-  EXPECT_LT(distance(curl(.5, .4, .05, 1, u, v), -.6 * .05 * .5 * u), 1e-15);
+  EXPECT_LT(apart(curl(1, 0, .05, 2, u, v), .05 * u), 1e-15);
+  EXPECT_LT(apart(curl(.25, 0, .05, 1, u, v), .05 * .25 * v), 1e-15);
+  EXPECT_LT(apart(curl(.5, .4, .05, 1, u, v), -.6 * .05 * .5 * u), 1e-15);
   for (const double h : {.2, .6})
     EXPECT_NEAR(glm::length(curl(h, .25, .05, 3.3, u, v)), .75 * .05 * h, 1e-15);
 }
@@ -259,7 +255,7 @@ TEST(ReferenceLayers, WetPointsDoNotCurl) {
   const FrameInput straight = synthetic::frame(scene, synthetic::torus(), 12, 8, 0);
   const Geometry curled(wet, wetness_mask(wet), 3), plain(straight, wetness_mask(straight), 3);
   for (std::size_t s = 0; s < curled.slots(); ++s)
-    EXPECT_LT(distance(curled.position(s, 9), plain.position(s, 9)), 1e-15);
+    EXPECT_LT(apart(curled.position(s, 9), plain.position(s, 9)), 1e-15);
 }
 
 TEST(ReferenceLayers, TheOutermostLayerIsTheMeanOfTheTipsAround) {
@@ -282,7 +278,7 @@ TEST(ReferenceLayers, TheOutermostLayerIsTheMeanOfTheTipsAround) {
           area_sum += area;
         }
     EXPECT_LT(
-        distance(geometry.position(s, 15), glm::dvec3(mesh.position[geometry.vertex(s)]) + mean / area_sum),
+        apart(geometry.position(s, 15), glm::dvec3(mesh.position[geometry.vertex(s)]) + mean / area_sum),
         1e-7);
   }
 }
@@ -295,17 +291,17 @@ TEST(ReferenceLayers, SharedShellsHoldTogetherAndSeparateOnesFollowTheirOwnStran
   for (std::size_t s = 0; s < together.slots(); ++s) {  // vertices at one surface point must coincide
     glm::dvec3& first = at[shared.mesh->weld[together.vertex(s)]];
     if (first.x > 1e8) first = together.position(s, 11);
-    EXPECT_LT(distance(together.position(s, 11), first), 1e-15);
+    EXPECT_LT(apart(together.position(s, 11), first), 1e-15);
   }
   scene.fur.binding = "separate";
   scene.curl.radius = 0;
   const FrameInput separate = synthetic::frame(scene, synthetic::torus(), 12, 8, 20);
-  const Geometry apart(separate, wetness_mask(separate), 4);
+  const Geometry alone(separate, wetness_mask(separate), 4);
   const std::vector<Strand> strands = simulate(separate, 4);
-  const std::vector<glm::dvec3> corners = layer_positions(separate, apart, 15);
+  const std::vector<glm::dvec3> corners = layer_positions(separate, alone, 15);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 base(separate.mesh->position[separate.mesh->triangle[i / 3][int(i % 3)]]);
-    EXPECT_LT(distance(corners[i], base + strands[i / 3].tip), 1e-15);
+    EXPECT_LT(apart(corners[i], base + strands[i / 3].tip), 1e-15);
   }
 }
 
@@ -333,7 +329,7 @@ TEST(ReferenceLayers, ChordsAddUpToTheTip) {
       // between the strand's positions in two adjacent layers. It must not be 0, even at the tip.
       EXPECT_GT(glm::length(chord(input, {a, a}, n)), 0);
     }
-    EXPECT_LT(distance(sum, b), 1e-15);
+    EXPECT_LT(apart(sum, b), 1e-15);
   }
 }
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <random>
 
 #include "harness/error.hpp"
 #include "harness/shells/reference/reference.hpp"
@@ -17,22 +16,8 @@ namespace {
 
 using namespace reference;
 
-/// A reproducible sequence of numbers in [-1, 1).
-class Numbers {
- public:
-  double number() { return 2.0 * double(engine_()) / 4294967296.0 - 1.0; }
-  glm::dvec3 vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-  glm::dvec3 direction() { return glm::normalize(vector()); }
-
- private:
-  std::mt19937 engine_{7};
-};
-
 TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBelow) {
-  Numbers random;
+  synthetic::Any random{7};
   int steep = 0;
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec3 step = random.vector(), normal = random.direction(), eye = random.direction();
@@ -50,7 +35,7 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
 }
 
 TEST(ReferenceSubsteps, ARayHasNoDirectionToTheShift) {
-  Numbers random;
+  synthetic::Any random{7};
   // root_shift() must return the same vector for a ray direction and for the opposite direction.
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 step = random.vector(), normal = random.direction(), eye = random.direction();
@@ -62,7 +47,7 @@ TEST(ReferenceSubsteps, ARayHasNoDirectionToTheShift) {
 }
 
 TEST(ReferenceSubsteps, UprightFurSeenHeadOnDoesNotShift) {
-  Numbers random;
+  synthetic::Any random{7};
   for (int i = 0; i < 100; ++i) {
     const glm::dvec3 normal = random.direction();
     EXPECT_LT(glm::length(root_shift(.3 * normal, normal, -normal)), 1e-15);
@@ -89,14 +74,14 @@ TEST(ReferenceSubsteps, GrazingRaysStayWithinFourSteps) {
 }
 
 TEST(ReferenceSubsteps, SharesOfTheTangentsGoThereAndBack) {
-  Numbers random;
+  synthetic::Any random{7};
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 t = random.vector(), b = random.vector(), n = glm::cross(t, b);
     if (glm::length(n) < .1 * glm::length(t) * glm::length(b)) continue;
-    const glm::dvec2 uv(random.number(), random.number());
+    const glm::dvec2 uv(random(), random());
     const glm::dvec3 delta = uv.x * t + uv.y * b;
     EXPECT_LT(glm::length(uv_shares(delta, t, b) - uv), 1e-12);
-    EXPECT_LT(glm::length(uv_shares(delta + random.number() * n, t, b) - uv), 1e-11);  // off the plane
+    EXPECT_LT(glm::length(uv_shares(delta + random() * n, t, b) - uv), 1e-11);  // off the plane
   }
 }
 

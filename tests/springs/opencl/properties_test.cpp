@@ -186,7 +186,7 @@ TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), kind_name);
+INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), pelage::test::by_parameter);
 
 TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);

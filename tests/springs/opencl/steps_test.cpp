@@ -25,10 +25,11 @@ using Whole = MassSpringOptions::Whole;
 struct Steps : testing::TestWithParam<Case> {};
 
 TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
-  const Dynamics dynamics = lively(GetParam().solver);
+  const auto& [kind, solver] = GetParam();
+  const Dynamics dynamics = lively(solver);
   const int steps = int(std::lround(1 / dynamics.step));
   for (const Mesh& mesh : {square(1), square(2), sphere(1)}) {  // with 5, 13 and 42 points
-    const SpringNetwork topology = build(GetParam().kind, mesh, fur_length);
+    const SpringNetwork topology = build(kind, mesh, fur_length);
     reference::System system{topology, dynamics};
     system.push.assign(topology.sticks(), glm::dvec3(0));
     const std::vector<glm::vec3> force = poke(topology, 1, {0.004f, -0.01f, 0.006f});
@@ -39,7 +40,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
 
     // Prisms have two sets of kernels: one for many work-items and one for a single work-item.
     std::vector<Whole> mappings{Whole::never};
-    if (GetParam().kind == Kind::prisms) mappings.push_back(Whole::always);
+    if (kind == Kind::prisms) mappings.push_back(Whole::always);
     for (const Whole whole : mappings) {
       Shim shim(topology, dynamics);
       shim.push(force);
@@ -154,7 +155,8 @@ TEST(StepsOnAFineSphere, LightMassesBetweenStiffSpringsKeepTheLimitOfTheResidual
     EXPECT_LT(residual_left(topology, dynamics, whole), tolerance::step_residual);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Steps, testing::ValuesIn(all_cases()), case_name);
+INSTANTIATE_TEST_SUITE_P(All, Steps, testing::Combine(testing::ValuesIn(kinds), testing::ValuesIn(solvers)),
+                         pelage::test::by_parameter);
 
 // Tests the backward Euler step of the kernels, which solves a linear system for the change of the
 // velocities. The test computes the matrix of this system by finite differences of the reference's forces,
@@ -203,7 +205,7 @@ TEST_P(KernelStep, WithTheFullJacobianIsThatOfTheReferenceOnly) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds.begin(), kinds.end()), kind_name);
+INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds), pelage::test::by_parameter);
 
 // Tests mass-spring simulations with adaptive time steps. The result must be close to a solution with short
 // time steps. The simulation must take many steps if the springs are stiff, and few steps if the system is at

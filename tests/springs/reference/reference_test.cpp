@@ -278,7 +278,7 @@ TEST(DerivativesOfAStick, KeepOnlyTheForceAlongACompressedSpring) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Derivatives, testing::ValuesIn(kinds.begin(), kinds.end()), kind_name);
+INSTANTIATE_TEST_SUITE_P(Kinds, Derivatives, testing::ValuesIn(kinds), pelage::test::by_parameter);
 
 }  // namespace
 }  // namespace pelage::springs

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <regex>
 
@@ -15,6 +13,7 @@
 #include "harness/springs/studies/study.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/scenes.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage::springs {
 namespace {
@@ -64,11 +63,6 @@ TEST(Lean, OfUprightFurIsTheBalanceOfMoments) {
     }
 }
 
-std::string read(const std::string& path) {
-  std::ifstream stream(std::string(PELAGE_SOURCE_DIR) + "/" + path);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 // The files in the list below state the angles at which the fur leans. These angles must be equal to the
 // computed angles.
 TEST(Lean, IsWhatTheDocumentsSay) {
@@ -80,7 +74,8 @@ TEST(Lean, IsWhatTheDocumentsSay) {
         "experiments/banisch2006-longest-step.toml", "experiments/banisch2006-mesh-size.toml",
         "experiments/banisch2006-update-time.toml", "experiments/banisch2006-work-precision.toml",
         "experiments/topology-solvers.toml"}) {
-    std::string text = std::regex_replace(read(path), std::regex("\n *(#|///?)? *"), " ");
+    std::string text = std::regex_replace(pelage::test::text_of(fs::path(PELAGE_SOURCE_DIR) / path),
+                                          std::regex("\n *(#|///?)? *"), " ");
     const std::regex sentence(
         "leans ([0-9.]+) degrees under its weight, and ([0-9.]+) degrees in a steady horizontal wind of 3 m/s");
     std::smatch found;

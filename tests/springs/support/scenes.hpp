@@ -14,6 +14,7 @@
 #include "harness/mesh/mesh.hpp"
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::springs::test {
 
@@ -48,29 +49,7 @@ inline Dynamics still(Solver solver) {
   return d;
 }
 
-struct Case {
-  Kind kind;
-  Solver solver;
-};
-
-inline std::vector<Case> all_cases() {
-  std::vector<Case> cases;
-  for (const Kind kind : kinds)
-    for (const Solver solver : solvers) cases.push_back({kind, solver});
-  return cases;
-}
-
-/// kind_name() and case_name() return a part of a test's name, in which '-' is not permitted.
-inline std::string with_underscores(std::string text) {
-  std::replace(text.begin(), text.end(), '-', '_');
-  return text;
-}
-inline std::string kind_name(const testing::TestParamInfo<Kind>& given) {
-  return with_underscores(std::string(name(given.param)));
-}
-inline std::string case_name(const testing::TestParamInfo<Case>& given) {
-  return with_underscores(std::string(name(given.param.kind)) + "_" + std::string(name(given.param.solver)));
-}
+using Case = std::tuple<Kind, Solver>;
 
 /// Returns one force in newtons per stick: `force` for the sticks at the corners of triangle `face`, else 0.
 inline std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force) {

@@ -15,6 +15,7 @@ class FurCache : public ::testing::Test {
  protected:
   FurCache() {
     ::setenv("XDG_CACHE_HOME", folder_.path.c_str(), 1);
+    fs::create_directories(folder_.path / "pelage" / "fur");
     mesh_.hash = "the hash of a mesh";
     scene_.layers.front().length_spread = 0.3f;
     scene_.layers.front().length_map = test::grey(folder_, 200);
@@ -23,13 +24,7 @@ class FurCache : public ::testing::Test {
 
   Fur kept() const { return kept_fur(mesh_, scene_, coat_); }
   void expect_grown() const { EXPECT_EQ(difference(kept(), grow(mesh_, scene_, coat_)), ""); }
-  std::vector<fs::path> files() const {
-    std::vector<fs::path> found;
-    const fs::path here = folder_.path / "pelage" / "fur";
-    if (fs::exists(here))
-      for (const auto& entry : fs::directory_iterator(here)) found.push_back(entry.path());
-    return found;
-  }
+  std::vector<fs::path> files() const { return pelage::test::files_below(folder_.path / "pelage" / "fur"); }
 
   pelage::test::Folder folder_;
   Mesh mesh_ = test::square();

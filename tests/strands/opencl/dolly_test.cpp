@@ -13,6 +13,7 @@
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/groom/fur.hpp"
 #include "tests/strands/support/device_picture.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -131,8 +132,7 @@ TEST_P(Dolly, HardlyPopsAndKeepsItsCoverage) {
   EXPECT_LE(std::sqrt(part.sum() / all.sum()), 1.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(LevelOfDetail, Dolly, testing::Values("bunny", "torus"),
-                         [](const auto& model) { return std::string(model.param); });
+INSTANTIATE_TEST_SUITE_P(LevelOfDetail, Dolly, testing::Values("bunny", "torus"), pelage::test::by_parameter);
 
 }  // namespace
 }  // namespace pelage::strands

@@ -13,14 +13,6 @@
 namespace pelage::strands {
 namespace {
 
-/// A straight strand from `root` to `tip`.
-DrawnStrand straight(glm::vec3 root, glm::vec3 tip, float width) {
-  DrawnStrand s;
-  s.point = {root, 0.5f * (root + tip), tip};
-  s.width = width;
-  return s;
-}
-
 RaycastScene scene_at(int width, int height, glm::vec3 eye, const Paint& paint = {glm::vec3(1), 1}) {
   RaycastScene scene;
   scene.camera = camera_at(width, height, eye);

@@ -18,14 +18,6 @@ Look look_of(Shadow reading, glm::vec3 light = {0, 1, 0}) {
   return look;
 }
 
-/// A straight strand.
-DrawnStrand straight_strand(glm::vec3 root, glm::vec3 tip, float width) {
-  DrawnStrand strand;
-  strand.point = {root, 0.5f * (root + tip), tip};
-  strand.width = width;
-  return strand;
-}
-
 TEST(OpacityMap, TheViewLooksAlongTheLight) {
   for (const glm::vec3 light : {glm::vec3(0, 1, 0), glm::vec3(0.3f, -2, 0.5f), glm::vec3(1, 0, 0)}) {
     const Look look = look_of(Shadow::linear, light);
@@ -48,8 +40,8 @@ TEST(OpacityMap, AWideStrandGivesItsDepthAndAlpha) {
   const LightView view = light_view(look);
   // Two strands across the map, one above the other, of eight texels' width.
   const float width = 8 * view.texel;
-  const std::vector<DrawnStrand> strands{straight_strand({-0.9f, 0.1f, 0}, {0.9f, 0.1f, 0}, width),
-                                         straight_strand({-0.9f, 0.4f, 0}, {0.9f, 0.4f, 0}, width)};
+  const std::vector<DrawnStrand> strands{straight({-0.9f, 0.1f, 0}, {0.9f, 0.1f, 0}, width),
+                                         straight({-0.9f, 0.4f, 0}, {0.9f, 0.4f, 0}, width)};
   const reference::OpacityMap map = reference::opacity_map(look, view, strands);
   const reference::LightColumns columns = reference::light_columns(look, view, strands);
   const std::size_t middle = 32 * 64 + 32;

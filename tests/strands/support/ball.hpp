@@ -50,6 +50,14 @@ struct Ball {
   }
 };
 
+/// A straight strand from `root` to `tip`.
+inline DrawnStrand straight(glm::vec3 root, glm::vec3 tip, float width) {
+  DrawnStrand s;
+  s.point = {root, 0.5f * (root + tip), tip};
+  s.width = width;
+  return s;
+}
+
 /// A camera that looks at the sphere's centre. `near` is the distance of the near plane, R.
 inline Camera camera_at(int width, int height, glm::vec3 eye = {0.5f, 0.6f, 3.4f}, float near = 0.01f) {
   CameraScene camera;
