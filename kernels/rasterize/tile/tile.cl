@@ -62,9 +62,8 @@ CALLED int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
           Cut corner = polygon[index[as_int(d->triangle[9 + c]) / RECORD]];
           piece.b1[c] = corner.b1;
           piece.b2[c] = corner.b2;
+          d->triangle[9 + c] = as_float(RECORD * vertex[c][lane]);
         }
-      if (clipped[lane])
-        for (int c = 0; c < 3; ++c) d->triangle[9 + c] = as_float(RECORD * vertex[c][lane]);
       covered += cover_pixels(batch, slot, slot, &pass->hidden, d);
       flush(pass, clipped[lane] ? &piece : 0, d, tile);
     }
