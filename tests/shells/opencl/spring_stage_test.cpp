@@ -1,13 +1,12 @@
 // Tests that every stage of a frame writes only its own buffers. The spring stage computes the tips, and the
 // raster stage reads them.
-#include "harness/shells/opencl/spring_stage.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "harness/compare/frame_output.hpp"
 #include "harness/shells/opencl/raster_stage.hpp"
+#include "harness/shells/opencl/simulate_stage.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 

@@ -9,7 +9,7 @@
 #include "harness/cl/measure.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/opencl/params.hpp"
-#include "harness/shells/opencl/spring_stage.hpp"
+#include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/springs/model/scene.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"

@@ -13,7 +13,7 @@ using namespace pictures;
 
 /// The reference's wetness mask, and its strand tips minus roots after `frames` frames.
 inline std::vector<glm::vec4> mask_of(const FrameInput& input) {
-  return reference_motion(input, frames).mask;
+  return reference_mask(input, frames);
 }
 inline std::vector<glm::vec3> tips_of(const FrameInput& input) {
   return reference_motion(input, frames).tips;
