@@ -146,10 +146,6 @@ std::string DeviceInfo::spec() const {
   return fmt::format("{}:{}", platform_index, device_index);
 }
 
-std::string Device::spec() const {
-  return info().spec();
-}
-
 std::vector<PlatformInfo> platforms() {
   std::vector<PlatformInfo> found;
   for (cl_platform_id id : platform_ids())

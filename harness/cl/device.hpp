@@ -46,8 +46,7 @@ class Device {
   const DeviceInfo& info() const;
   cl_device_id id() const;
   cl_context context() const;
-  Builds& builds() const;    ///< the programs that were built for the context
-  std::string spec() const;  ///< "PLATFORM:INDEX", as --device accepts it
+  Builds& builds() const;  ///< the programs that were built for the context
 
  private:
   struct State;

@@ -113,12 +113,6 @@ std::string hash_of(const std::vector<const Program*>& programs) {
   return hash_of(all);
 }
 
-std::map<std::string, std::string> hashes_by_file(const std::vector<const Program*>& programs) {
-  std::map<std::string, std::string> hashes;
-  for (const Program* program : programs) hashes[program->file()] = hash_of(program->sources());
-  return hashes;
-}
-
 std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text) {
   const SourceTexts sources = source_texts(text.file);
   const ProgramText needed{text.file, options_read(text.options, sources)};

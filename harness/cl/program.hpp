@@ -89,10 +89,6 @@ class Program {
 /// Returns 16 hex digits: the hash of the source files of all programs in `programs`.
 std::string hash_of(const std::vector<const Program*>& programs);
 
-/// Returns a map from each program's file to the hash of the program's source files, as they were when the
-/// program was built.
-std::map<std::string, std::string> hashes_by_file(const std::vector<const Program*>& programs);
-
 class Event {
  public:
   Event() = default;
@@ -186,6 +182,10 @@ template <class V, std::size_t N>
 void copy(float (&to)[N], const V& from) {
   for (std::size_t i = 0; i < N; ++i) to[i] = from[int(i)];
 }
+
+// The names of two ways to draw a picture on a device. Shells and strands have both.
+inline constexpr std::string_view item_mapping = "tile";    ///< a work-item draws a tile, for CPUs
+inline constexpr std::string_view group_mapping = "group";  ///< a work-group draws a tile, for GPUs
 
 /// Returns the exponent if it is an integer from 1 to 1024, for which kernels multiply, else 0.
 int whole_exponent(float exponent);

@@ -21,10 +21,6 @@ std::size_t ceil_div(std::size_t a, std::size_t b) {
   return (a + b - 1) / b;
 }
 
-void keep(std::vector<Event>* events, Event&& event) {
-  if (events) events->push_back(std::move(event));
-}
-
 // On CPUs, a work-item has a core and its cache for itself, so few runs with large digits need the fewest
 // passes over the pairs. On GPUs, thousands of work-items must be busy, and their counters share the small
 // local memory.
@@ -60,15 +56,16 @@ ProgramText RadixSort::program_text() {
                       scan_items, scan_block / scan_items, sort_bits, sort_run)};
 }
 
-RadixSort::RadixSort(const Device& device)
-    : program_(device, program_text()),
+RadixSort::RadixSort(const Device& device, const char* phase)
+    : phase_(phase),
+      program_(device, program_text()),
       blocks_(program_, "scan_blocks"),
       add_(program_, "scan_add"),
       count_(program_, "sort_count"),
       move_(program_, "sort_move") {}
 
 std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
-                             std::vector<Event>* events, bool read_sum) {
+                             PhaseEvents* events, bool read_sum) {
   // Level 0 contains the values. The first loop computes the prefix sums within each block of a level, and
   // stores the sums of the blocks as the next level. It ends at a level that has one block. The second loop
   // visits the levels in reverse order, down to level 0. In each level it adds to every entry the sum of all
@@ -80,13 +77,13 @@ std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& val
     if (sums_.size() == level) sums_.emplace_back();
     grow(queue, sums_[level], blocks);
     blocks_.with(std::int32_t(length[level]), level == 0 ? value : sums_[level - 1], sums_[level]);
-    keep(events, blocks_.enqueue(queue, blocks * scan_items));
+    keep(events, phase_, blocks_.enqueue(queue, blocks * scan_items));
     length.push_back(blocks);
     ++level;
   } while (length[level] > 1);
   for (std::size_t i = level - 1; i-- > 0;) {
     add_.with(std::int32_t(length[i]), sums_[i], i == 0 ? value : sums_[i - 1]);
-    keep(events, add_.enqueue_loop(queue, length[i]));
+    keep(events, phase_, add_.enqueue_loop(queue, length[i]));
   }
   std::array<std::int32_t, 1> sum{};
   if (read_sum) sums_[level - 1].read(queue, sum);
@@ -94,7 +91,7 @@ std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& val
 }
 
 void RadixSort::sort(const Queue& queue, Buffer<std::int32_t>& key, Buffer<std::int32_t>& value,
-                     std::size_t count, int bits, std::vector<Event>* events) {
+                     std::size_t count, int bits, PhaseEvents* events) {
   if (count == 0) return;
   const std::size_t runs = ceil_div(count, sort_run), digits = runs << sort_bits;
   grow(queue, digits_, digits);
@@ -102,10 +99,10 @@ void RadixSort::sort(const Queue& queue, Buffer<std::int32_t>& key, Buffer<std::
   grow(queue, other_value_, count);
   for (int shift = 0; shift < bits; shift += sort_bits) {
     count_.with(std::int32_t(count), shift, key, digits_);
-    keep(events, count_.enqueue(queue, runs));
+    keep(events, phase_, count_.enqueue(queue, runs));
     scan(queue, digits_, digits, events, false);
     move_.with(std::int32_t(count), shift, digits_, key, value, other_key_, other_value_);
-    keep(events, move_.enqueue(queue, runs));
+    keep(events, phase_, move_.enqueue(queue, runs));
     std::swap(key, other_key_);
     std::swap(value, other_value_);
   }
@@ -129,7 +126,7 @@ PairSort::PairSort(const Device& device, int runs)
       move_(program_, "pair_move"),
       counts_(device, std::size_t(runs_) << bits_),
       total_(device, 1) {
-  if (runs_ > few_runs) scan_.emplace(device);
+  if (runs_ > few_runs) scan_.emplace(device, phase_);
 }
 
 std::vector<const Program*> PairSort::programs() const {
@@ -143,19 +140,19 @@ std::size_t PairSort::capacity(std::size_t count) const {
 }
 
 void PairSort::sort(const Queue& queue, Buffer<Pair>& pair, const Buffer<std::int32_t>& live,
-                    std::size_t capacity, int bits, std::vector<Event>* events) {
+                    std::size_t capacity, int bits, PhaseEvents* events) {
   if (other_.size() < pair.size()) other_ = Buffer<Pair>(queue.device(), pair.size());
   const auto runs = std::size_t(runs_);
   sum_.with(std::int32_t(runs_), live, total_);
-  keep(events, sum_.enqueue(queue, 1, 1));
+  keep(events, phase_, sum_.enqueue(queue, 1, 1));
   int gaps = int(capacity);
   for (int shift = 0; shift < bits; shift += bits_) {
     count_.with(std::int32_t(runs_), gaps, shift, live, total_, pair, counts_);
-    keep(events, count_.enqueue(queue, runs));
+    keep(events, phase_, count_.enqueue(queue, runs));
     if (scan_) scan_->scan(queue, counts_, counts_.size(), events, false);
     move_.with(std::int32_t(runs_), gaps, shift, std::int32_t(runs_ > few_runs), live, total_, counts_, pair,
                other_);
-    keep(events, move_.enqueue(queue, runs));
+    keep(events, phase_, move_.enqueue(queue, runs));
     std::swap(pair, other_);
     gaps = 0;
   }

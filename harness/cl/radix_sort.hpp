@@ -11,23 +11,24 @@ namespace pelage::cl {
 
 /// Computes exclusive prefix sums in place, and sorts pairs by their keys (a stable sort). Lengths are below
 /// 2^31. A sum of 2^31 or more becomes 2^31 - 1. A call enqueues several kernel launches. If `events` is not
-/// null, the call appends the events of these launches to it.
+/// null, the call appends the events of these launches to it, in the phase `phase` of the constructor.
 class RadixSort {
  public:
-  explicit RadixSort(const Device& device);
+  explicit RadixSort(const Device& device, const char* phase = "bin");
   static ProgramText program_text();
   /// Replaces value[i] by the sum of the values before it. If `read_sum` is true, the function waits for the
   /// kernels to end and returns the sum of all `count` values, or 2^31 - 1 if the sum is larger. If
   /// `read_sum` is false, the function does not wait and returns 0.
   std::int32_t scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
-                    std::vector<Event>* events, bool read_sum);
+                    PhaseEvents* events, bool read_sum);
   /// Sorts `count` pairs by their keys, which must all be in 0 .. 2^bits - 1. Pairs with equal keys keep
   /// their order. The call may swap `key` and `value` with internal buffers of this object.
   void sort(const Queue& queue, Buffer<std::int32_t>& key, Buffer<std::int32_t>& value, std::size_t count,
-            int bits, std::vector<Event>* events);
+            int bits, PhaseEvents* events);
   const Program& program() const { return program_; }
 
  private:
+  const char* phase_;
   Program program_;
   Kernel blocks_, add_, count_, move_;
   // scan() divides the values into blocks. sums_[0] contains the sum of each block. sums_[i] contains the sum
@@ -63,15 +64,16 @@ class PairSort {
   /// consists of live[r] pairs, which begin at index r * capacity. The call enqueues kernels and does not
   /// wait. The sorted pairs begin at index 0 of `pair`, without gaps, and total() receives their number. The
   /// call may swap `pair` with an internal buffer of this object. If `events` is not null, the events of the
-  /// launches are appended to it. `pair` has fewer than 2^31 elements.
+  /// launches are appended to it, in the phase sort. `pair` has fewer than 2^31 elements.
   void sort(const Queue& queue, Buffer<Pair>& pair, const Buffer<std::int32_t>& live, std::size_t capacity,
-            int bits, std::vector<Event>* events = nullptr);
+            int bits, PhaseEvents* events = nullptr);
 
   /// Number of the sorted pairs, on the device.
   const Buffer<std::int32_t>& total() const { return total_; }
   std::vector<const Program*> programs() const;
 
  private:
+  static constexpr const char* phase_ = "sort";
   int runs_, bits_;
   std::optional<RadixSort> scan_;  ///< empty for few runs
   Program program_;

@@ -66,7 +66,7 @@ int frames_of(const Scene& scene) {
 
 Picture mask_of(const Scene& scene, const DiagramOptions& options) {
   const auto input = prepare(scene, load_scene_mesh(scene));
-  return diagrams::mask_picture(*input, reference_motion(*input, 0).mask, options.side);
+  return diagrams::mask_picture(*input, reference_mask(*input, 0), options.side);
 }
 
 Picture coat_of(const Scene& scene, const DiagramOptions&) {

@@ -116,7 +116,7 @@ double gib(std::uint64_t bytes) {
 
 nlohmann::ordered_json device_json(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed) {
   const cl::DeviceInfo& info = device.info();
-  nlohmann::ordered_json json{{"device", device.spec()},
+  nlohmann::ordered_json json{{"device", info.spec()},
                               {"name", info.name},
                               {"vendor", info.vendor},
                               {"platform", info.platform},
@@ -149,7 +149,7 @@ void print_device(const cl::Device& device, const std::optional<cl::DeviceSpeed>
                      : info.gpu           ? "GPU"
                      : info.cpu           ? "CPU"
                                           : "accelerator";
-  fmt::print("{}  {}\n", device.spec(), info.name);
+  fmt::print("{}  {}\n", info.spec(), info.name);
   fmt::print("     platform  {}, {}\n", info.platform, info.platform_version);
   fmt::print("     driver    {}, {}\n", info.driver, info.c_version);
   fmt::print("     device    {}, {} compute units, work-groups up to {}, {} per work-item{}\n", kind,

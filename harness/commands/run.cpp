@@ -125,7 +125,7 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
     for (const cl::Device& device : devices)
       for (const Case& which : sweep.cases)
         fmt::print("{}\t{}\t{}\t{}\n", sweep.experiment.name, which.name,
-                   settled(which, options, device).variant, device.spec());
+                   settled(which, options, device).variant, device.info().spec());
   fmt::print(
       stderr, "pelage: {} cases, preset {}; nothing was run\n",
       std::accumulate(sweeps.begin(), sweeps.end(), std::size_t(0),

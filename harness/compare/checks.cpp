@@ -13,6 +13,18 @@
 #include "harness/springs/reference/reference.hpp"
 
 namespace pelage {
+namespace {
+
+Spread spread_of(std::vector<double> errors) {
+  double squares = 0;
+  for (const double error : errors) squares += error * error;
+  std::sort(errors.begin(), errors.end());
+  const std::size_t count = errors.size();
+  return {std::sqrt(squares / double(count)), errors[count * 99 / 100], errors[count * 999 / 1000],
+          errors.back()};
+}
+
+}  // namespace
 
 std::vector<Check> picture_checks(const std::string& against, const Agreement& agreement) {
   return {{against, "fur pixels", double(agreement.pixels), 1, true},
@@ -54,8 +66,8 @@ std::vector<Check> check_mask(const std::vector<glm::vec4>& ours, const std::vec
           {against_reference, "largest texel error", worst, tolerance::mask_texel, false}};
 }
 
-TipErrors tip_errors(double length, const std::vector<glm::vec3>& ours,
-                     const std::vector<glm::vec3>& reference) {
+Spread tip_errors(double length, const std::vector<glm::vec3>& ours,
+                  const std::vector<glm::vec3>& reference) {
   if (ours.size() != reference.size() || ours.empty())
     throw std::invalid_argument("tip_errors(): the two lists of tips have different sizes or are empty");
   std::vector<double> errors(ours.size());
@@ -63,15 +75,14 @@ TipErrors tip_errors(double length, const std::vector<glm::vec3>& ours,
     const double error = glm::length(glm::dvec3(ours[i]) - glm::dvec3(reference[i]));
     errors[i] = std::isfinite(error) ? error / length : 1e6;
   }
-  std::sort(errors.begin(), errors.end());
-  return {errors[errors.size() * 999 / 1000], errors.back()};
+  return spread_of(std::move(errors));
 }
 
-Check check_worst_tip(const TipErrors& errors) {
+Check check_worst_tip(const Spread& errors) {
   return {against_reference, "largest tip error / L0", errors.worst, tolerance::worst_tip, false};
 }
 
-Check check_usual_tip(const TipErrors& errors) {
+Check check_usual_tip(const Spread& errors) {
   return {against_reference, "99.9th percentile of tip errors / L0", errors.p999, tolerance::usual_tip,
           false};
 }
@@ -79,20 +90,16 @@ Check check_usual_tip(const TipErrors& errors) {
 std::vector<Check> check_sticks(const FrameInput& input, int frames, const std::vector<glm::vec3>& offsets) {
   const springs::SomeSticks expected = springs::some_reference_sticks(input, frames, kCheckSticks);
   std::vector<double> error;
-  double square = 0;
   for (std::size_t i = 0; i < expected.stick.size(); ++i) {
     const glm::dvec3 off = glm::dvec3(offsets.at(expected.stick[i])) - expected.offset[i];
     const double share = glm::length(off) / double(input.scene.fur.length);
     error.push_back(std::isfinite(share) ? share : 1e6);
-    square += error.back() * error.back();
   }
-  std::sort(error.begin(), error.end());
+  const Spread found = spread_of(std::move(error));
   if (!springs::kind_of(input.scene.dynamics.topology).shared_edges())
-    return {{"double-precision masses", "largest error / L0", error.back(), tolerance::stick_top, false}};
-  return {{"double-precision masses", "rms error / L0", std::sqrt(square / double(error.size())),
-           tolerance::prisms_rms, false},
-          {"double-precision masses", "p99 error / L0", error[error.size() * 99 / 100], tolerance::prisms_p99,
-           false}};
+    return {{"double-precision masses", "largest error / L0", found.worst, tolerance::stick_top, false}};
+  return {{"double-precision masses", "rms error / L0", found.rms, tolerance::prisms_rms, false},
+          {"double-precision masses", "p99 error / L0", found.percentile_99, tolerance::prisms_p99, false}};
 }
 
 }  // namespace pelage
@@ -104,14 +111,11 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, 
     throw std::invalid_argument("spread(): the two lists of masses have different sizes or are empty");
   std::vector<double> error;
   error.reserve(a.size());
-  double squares = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double d = glm::distance(glm::dvec3(a[i]), glm::dvec3(b[i])) / length;
     error.push_back(d < 1e9 ? d : 1e9);
-    squares += error.back() * error.back();
   }
-  std::sort(error.begin(), error.end());
-  return {std::sqrt(squares / double(error.size())), error[error.size() * 99 / 100], error.back()};
+  return spread_of(std::move(error));
 }
 
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found) {

@@ -35,21 +35,21 @@ std::vector<Check> mapping_checks(const std::string& against, const Picture& our
 /// sizes differ.
 std::vector<Check> check_mask(const std::vector<glm::vec4>& ours, const std::vector<glm::vec4>& reference);
 
-/// Distances between tips, as fractions of the strand's length. A distance that is not finite counts as 10^6.
-struct TipErrors {
-  double p999 = 0;  ///< 99.9th percentile
-  double worst = 0;
+/// Distances between the positions of tips, or of the top masses of sticks, in two states, as fractions of
+/// the length of strands or of the fur.
+struct Spread {
+  double rms = 0, percentile_99 = 0, p999 = 0, worst = 0;  ///< p999: the 99.9th percentile
 };
 /// Compares two lists of tips (positions relative to the roots, in R). `length` is the length of a strand in
-/// R. Throws std::invalid_argument if the sizes differ or are 0.
-TipErrors tip_errors(double length, const std::vector<glm::vec3>& ours,
-                     const std::vector<glm::vec3>& reference);
+/// R. A distance that is not finite counts as 10^6. Throws std::invalid_argument if the sizes differ or are
+/// 0.
+Spread tip_errors(double length, const std::vector<glm::vec3>& ours, const std::vector<glm::vec3>& reference);
 
-/// Checks TipErrors::worst against tolerance::worst_tip.
-Check check_worst_tip(const TipErrors& errors);
+/// Checks Spread::worst against tolerance::worst_tip.
+Check check_worst_tip(const Spread& errors);
 
-/// Checks TipErrors::p999 against tolerance::usual_tip.
-Check check_usual_tip(const TipErrors& errors);
+/// Checks Spread::p999 against tolerance::usual_tip.
+Check check_usual_tip(const Spread& errors);
 
 /// Approximate number of sticks that are compared. With the topology "prisms" (adjacent prisms share their
 /// sticks), all sticks are compared.
@@ -67,10 +67,6 @@ std::vector<Check> check_sticks(const FrameInput& input, int frames, const std::
 
 namespace pelage::springs {
 
-/// Distances between the positions of a stick's top mass in two states, as fractions of the fur's length.
-struct Spread {
-  double rms = 0, percentile_99 = 0, worst = 0;
-};
 /// Compares the positions `a` and `b` of the top masses, one per stick. `length` is the fur's length in the
 /// unit of the positions. A distance counts as 1e9 if it is not finite or if it is above 1e9. Throws
 /// std::invalid_argument if the sizes differ or are 0.

@@ -9,6 +9,13 @@
 
 namespace pelage {
 
+std::vector<glm::vec4> reference_mask(const FrameInput& input, int frames) {
+  std::vector<glm::vec4> mask;
+  for (const reference::Clump& clump : reference::wetness_mask(input, frames).texel)
+    mask.emplace_back(glm::vec2(clump.centre), clump.radius, clump.wetness);
+  return mask;
+}
+
 FrameOutput reference_motion(const FrameInput& input, int frames) {
   FrameOutput output{"reference", frames, {}, {}, {}, {}};
   if (has_springs(input.scene.dynamics)) {
@@ -22,8 +29,7 @@ FrameOutput reference_motion(const FrameInput& input, int frames) {
       output.velocities.emplace_back(strand.velocity);
     }
   }
-  for (const reference::Clump& clump : reference::wetness_mask(input, frames).texel)
-    output.mask.emplace_back(glm::vec2(clump.centre), clump.radius, clump.wetness);
+  output.mask = reference_mask(input, frames);
   return output;
 }
 

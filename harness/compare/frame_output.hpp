@@ -25,6 +25,9 @@ struct FrameOutput {
   Picture image;
 };
 
+/// Returns the reference's mask after `frames` frames, in the form of FrameOutput::mask.
+std::vector<glm::vec4> reference_mask(const FrameInput& input, int frames);
+
 /// Computes tips, velocities and mask with the double-precision reference. The image stays empty. Throws
 /// InputError if the scene selects adaptive time steps (dynamics.tolerance above 0).
 FrameOutput reference_motion(const FrameInput& input, int frames);

@@ -34,9 +34,9 @@ std::vector<char> selected(const Picture& picture, const std::vector<Window>& wi
   return chosen;
 }
 
-bool touches_fur(const Picture& picture, const Window& cell) {
-  for (int y = std::max(0, cell.y - cell.height); y < std::min(picture.height, cell.y + 2 * cell.height); ++y)
-    for (int x = std::max(0, cell.x - cell.width); x < std::min(picture.width, cell.x + 2 * cell.width); ++x)
+bool has_fur(const Picture& picture, const Window& w) {
+  for (int y = std::max(0, w.y); y < std::min(picture.height, w.y + w.height); ++y)
+    for (int x = std::max(0, w.x); x < std::min(picture.width, w.x + w.width); ++x)
       if (picture.at(x, y).w > 0.0f) return true;
   return false;
 }
@@ -63,13 +63,6 @@ double similarity(const Picture& a, const Picture& b, int left, int top, int sid
   constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
   return (2 * mean_a * mean_b + c1) * (2 * covariance + c2) /
          ((mean_a * mean_a + mean_b * mean_b + c1) * (var_a + var_b + c2));
-}
-
-bool has_fur(const Picture& picture, int left, int top, int side) {
-  for (int y = top; y < top + side; ++y)
-    for (int x = left; x < left + side; ++x)
-      if (picture.at(x, y).w > 0.0f) return true;
-  return false;
 }
 
 }  // namespace
@@ -135,7 +128,8 @@ std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int s
       const Window cell{std::max(0, std::min(x, picture.width - side)),
                         std::max(0, std::min(y, picture.height - side)), std::min(side, picture.width),
                         std::min(side, picture.height)};
-      if (touches_fur(picture, cell)) cells.push_back(cell);
+      if (has_fur(picture, {cell.x - cell.width, cell.y - cell.height, 3 * cell.width, 3 * cell.height}))
+        cells.push_back(cell);
     }
   // Moves `taken` random cells to the front of the list. The code does not use std::shuffle, because its
   // results differ between standard libraries.
@@ -157,7 +151,7 @@ double ssim(const Picture& a, const Picture& b) {
   int count = 0;
   for (int y = 0; y + side <= a.height; y += step)
     for (int x = 0; x + side <= a.width; x += step) {
-      if (!has_fur(a, x, y, side) && !has_fur(b, x, y, side)) continue;
+      if (!has_fur(a, {x, y, side, side}) && !has_fur(b, {x, y, side, side})) continue;
       sum += similarity(a, b, x, y, side);
       ++count;
     }

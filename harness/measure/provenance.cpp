@@ -141,7 +141,8 @@ nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info) {
 }
 
 void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs) {
-  for (const auto& [file, hash] : cl::hashes_by_file(programs)) identity[kernel_part + file] = hash;
+  for (const cl::Program* program : programs)
+    identity[kernel_part + program->file()] = cl::hash_of(program->sources());
 }
 
 std::string build_hash() {

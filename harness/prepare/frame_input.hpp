@@ -68,6 +68,11 @@ struct Style {
   Density density;
 };
 
+/// Returns an entry of an array of Style, or 1 if the scene has no such map.
+inline float share_of(const std::vector<float>& map, std::size_t entry) {
+  return map.empty() ? 1.0f : map[entry];
+}
+
 /// Number of steps of the factor of curl.turns between 0 and 1. The angles of the curls are tabulated for all
 /// steps.
 inline constexpr int turn_steps = 1024;

@@ -43,7 +43,7 @@ Style make_style(const Mesh& mesh, const Skin& skin, const Scene& scene) {
 }
 
 float strand_length(const FurScene& fur, const Style& style, std::size_t strand) {
-  return style.length.empty() ? fur.length : fur.length * style.length[strand];
+  return fur.length * share_of(style.length, strand);
 }
 
 float most_curl_radius(const CurlScene& curl, const Style& style) {

@@ -236,6 +236,12 @@ struct ContactMotion {
   glm::vec3 velocity{0.0f};     ///< R/s
   float begin = 0.0f;           ///< s
   float end = longest_contact;  ///< s
+  /// Returns whether the collider exists at a time, s.
+  bool exists(double time) const { return double(begin) <= time && time < double(end); }
+  /// Returns the position at a time (s) of a point that is at `start` at the time `begin`.
+  glm::dvec3 moved(const glm::vec3& start, double time) const {
+    return glm::dvec3(start) + (time - double(begin)) * glm::dvec3(velocity);
+  }
 };
 
 struct ContactSphereScene {

@@ -15,9 +15,10 @@
 namespace pelage {
 namespace {
 
-std::vector<std::string_view> shading_names() {
+template <class Row>
+std::vector<std::string_view> names_of(std::span<const Row> table) {
   std::vector<std::string_view> names;
-  for (const ShadingModel& model : shading_models()) names.push_back(model.name);
+  for (const Row& row : table) names.push_back(row.name);
   return names;
 }
 
@@ -30,12 +31,6 @@ std::string_view shading_help() {
     return list;
   }();
   return text;
-}
-
-std::vector<std::string_view> pipeline_names() {
-  std::vector<std::string_view> names;
-  for (const PipelineName& pipeline : drawing_pipelines()) names.push_back(pipeline.name);
-  return names;
 }
 
 std::string_view pipeline_help() {
@@ -145,7 +140,7 @@ std::vector<Key> scene_keys(Scene& s) {
   ImageScene& image = s.image;
   std::vector<Key> keys{
       {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file"},
-      {.name = "pipeline", .slot = &s.pipeline, .unit = "", .help = pipeline_help(), .choices = pipeline_names()},
+      {.name = "pipeline", .slot = &s.pipeline, .unit = "", .help = pipeline_help(), .choices = names_of(drawing_pipelines())},
 
       {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
       {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z"},
@@ -273,7 +268,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.poke.spread", &poke.spread, "N", -1000, 1000, "additional force that pushes the fur apart; it acts on the same top masses as dynamics.poke.force and points away from an axis; the axis passes through the centre of the local force (dynamics.poke.point or the hit of dynamics.poke.ray) in the direction dynamics.poke.along"},
       {"dynamics.poke.along", &poke.along, "direction", -1e6, 1e6, "direction of an axis through the centre of the local force; the force dynamics.poke.spread points away from this axis"},
 
-      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = shading_help(), .choices = shading_names()},
+      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = shading_help(), .choices = names_of(shading_models())},
       {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, which determines the self-shadow of the curling model; the colour at the base surface is multiplied by (K_shadow - 1) / K_shadow, so a larger value gives a weaker shadow"},
       {"shading.specular", &shading.specular, "", 0, 100, "K_s, the colour of the highlight"},
       {"shading.exponent", &shading.exponent, "", 0, 10000, "p, the exponent of the highlight"},

@@ -3,12 +3,12 @@
 #include <chrono>
 
 #include "harness/compare/checks.hpp"
+#include "harness/compare/frame_output.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/opencl/wet_stage.hpp"
-#include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
 #include "harness/tuning/tuning_search.hpp"
 
@@ -96,15 +96,8 @@ class Mask : public Contender {
   }
   std::uint64_t output_hash() override { return Hash().values(stage_.mask().read(queue_)).value(); }
   std::string fault() override {
-    const std::vector<float> texels = stage_.mask().read(queue_);
-    std::vector<glm::vec4> ours, theirs;
     const int frames = frames_before(input_->scene.dynamics) + 1;
-    for (const reference::Clump& t : reference::wetness_mask(*input_, frames).texel) {
-      const float* texel = &texels[4 * theirs.size()];
-      ours.emplace_back(texel[0], texel[1], texel[2], texel[3]);
-      theirs.emplace_back(glm::vec2(t.centre), t.radius, t.wetness);
-    }
-    return broken(check_mask(ours, theirs));
+    return broken(check_mask(stage_.mask().read(queue_), reference_mask(*input_, frames)));
   }
 
  private:

@@ -24,7 +24,7 @@ TEST(Devices, AreListedWithWhatTheHarnessNeeds) {
     EXPECT_GT(device.info().max_allocation, 0u);
     EXPECT_GT(device.info().max_work_group, 0u);
     EXPECT_TRUE(device.info().lanes == 1 || device.info().lanes == 16);
-    EXPECT_TRUE(specs.insert(device.spec()).second) << device.spec() << " names two devices";
+    EXPECT_TRUE(specs.insert(device.info().spec()).second) << device.info().spec() << " names two devices";
   }
 }
 
@@ -38,7 +38,7 @@ TEST(Devices, CopiesShareOneContext) {
 
 TEST(Devices, OneIsFoundByItsOwnSpecAndName) {
   for (const cl::Device& device : cl::devices()) {
-    EXPECT_EQ(cl::choose_device(device.spec()).id(), device.id());
+    EXPECT_EQ(cl::choose_device(device.info().spec()).id(), device.id());
     EXPECT_EQ(cl::choose_device(device.info().name).info().name, device.info().name);
   }
 }

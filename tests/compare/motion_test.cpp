@@ -22,7 +22,7 @@ TEST(Tips, OneOfAThousandMayBeOffALittle) {
   const auto reference = tips(2000);
   auto ours = reference;
   ours[7].x += float(0.5 * tolerance::worst_tip * length);
-  TipErrors errors = tip_errors(length, ours, reference);
+  Spread errors = tip_errors(length, ours, reference);
   EXPECT_NEAR(errors.worst, 0.5 * tolerance::worst_tip, 1e-9);
   EXPECT_TRUE(check_worst_tip(errors).holds());
   EXPECT_TRUE(check_usual_tip(errors).holds());

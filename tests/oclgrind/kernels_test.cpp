@@ -12,7 +12,7 @@
 #include "harness/cl/program.hpp"
 #include "harness/cl/radix_sort.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "harness/shells/opencl/spring_stage.hpp"
+#include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/springs/model/scene.hpp"
 #include "harness/strands/opencl/chains.hpp"
 #include "harness/strands/opencl/drawer.hpp"

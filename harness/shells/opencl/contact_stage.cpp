@@ -8,14 +8,6 @@ namespace {
 
 using Row = std::array<float, 12>;  // CONTACT_COLUMNS of kernels/common/contact.clh
 
-bool exists(const ContactMotion& motion, double time) {
-  return double(motion.begin) <= time && time < double(motion.end);
-}
-
-glm::dvec3 place(const glm::vec3& start, const ContactMotion& motion, double time) {
-  return glm::dvec3(start) + (time - double(motion.begin)) * glm::dvec3(motion.velocity);
-}
-
 Row row_of(const glm::dvec3& from, const glm::dvec3& axis, double length, double radius,
            const glm::vec3& velocity) {
   return {float(from.x), float(from.y), float(from.z), float(axis.x), float(axis.y), float(axis.z),
@@ -28,20 +20,20 @@ void append(std::vector<float>& table, const Row& row) {
 
 void append_time(std::vector<float>& table, const ContactScene& scene, double time) {
   for (const ContactSphereScene& s : scene.spheres)
-    append(table, exists(s.motion, time) ? row_of(place(s.centre, s.motion, time), glm::dvec3(0), 0,
-                                                  double(s.radius), s.motion.velocity)
-                                         : Row{});
+    append(table, s.motion.exists(time) ? row_of(s.motion.moved(s.centre, time), glm::dvec3(0), 0,
+                                                 double(s.radius), s.motion.velocity)
+                                        : Row{});
   for (const ContactCapsuleScene& c : scene.capsules) {
     const glm::dvec3 along = glm::dvec3(c.to) - glm::dvec3(c.from);
     const double length = glm::length(along);
-    append(table, exists(c.motion, time)
-                      ? row_of(place(c.from, c.motion, time), length > 0 ? along / length : glm::dvec3(0),
+    append(table, c.motion.exists(time)
+                      ? row_of(c.motion.moved(c.from, time), length > 0 ? along / length : glm::dvec3(0),
                                length, double(c.radius), c.motion.velocity)
                       : Row{});
   }
   const ContactMeshScene& mesh = scene.mesh;
-  append(table, !mesh.file.empty() && exists(mesh.motion, time)
-                    ? row_of(place(mesh.position, mesh.motion, time), glm::dvec3(0), 1 / double(mesh.scale),
+  append(table, !mesh.file.empty() && mesh.motion.exists(time)
+                    ? row_of(mesh.motion.moved(mesh.position, time), glm::dvec3(0), 1 / double(mesh.scale),
                              double(mesh.scale), mesh.motion.velocity)
                     : Row{});
 }

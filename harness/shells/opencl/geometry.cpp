@@ -36,11 +36,6 @@ struct Vertex {
   std::span<const float> weights;
 };
 
-// Returns an entry of a map of `Style`, or 1 if the scene has no such map.
-double share_of(const std::vector<float>& map, std::size_t entry) {
-  return map.empty() ? 1.0 : double(map[entry]);
-}
-
 constexpr float whole_weight = 1.0f;
 
 std::vector<Vertex> drawn_vertices(const FrameInput& input) {
@@ -127,7 +122,7 @@ Geometry lay_out(const FrameInput& input, int lanes) {
     const int row = static_cast<int>(i);
     glm::dvec3 a(0.0);
     for (std::size_t e = 0; e < v.faces.size(); ++e)
-      a += double(v.weights[e]) * share_of(input.style.length, v.faces[e]) *
+      a += double(v.weights[e]) * double(share_of(input.style.length, v.faces[e])) *
            glm::dvec3(strands.normal[v.faces[e]]);
     if (sticks) {
       a = input.stick_normal[point];

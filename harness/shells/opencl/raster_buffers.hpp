@@ -20,7 +20,7 @@ struct RasterBuffers {
   cl::Buffer<std::int32_t> list_start, list;
   cl::Buffer<float> record, tangent, curl;
   cl::Buffer<std::int32_t> fur, coat;
-  const cl::Buffer<float>* mask = nullptr;  ///< 4 floats per texel
+  const cl::Buffer<glm::vec4>* mask = nullptr;  ///< one value per texel
   cl::Buffer<glm::vec4> image;
   cl::Buffer<std::uint32_t> covered;
 

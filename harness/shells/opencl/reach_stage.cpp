@@ -46,7 +46,8 @@ void ReachStage::dry(const cl::Queue& queue, const RasterParams& params, const c
 
 void ReachStage::run(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<float>& uv,
                      RasterBuffers& buffers, cl::PhaseEvents* events) {
-  const cl::Buffer<float>&layer_table = buffers.layer_table, &mask = *buffers.mask;
+  const cl::Buffer<float>& layer_table = buffers.layer_table;
+  const cl::Buffer<glm::vec4>& mask = *buffers.mask;
   cl::Buffer<std::int32_t>& corner = buffers.corner;
   const auto launch = [&](cl::Kernel& kernel, int count) {
     cl::keep(events, "wet", kernel.enqueue_loop(queue, std::size_t(count)));

@@ -5,7 +5,6 @@
 
 #include "harness/shells/opencl/raster_stage.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
-#include "harness/shells/opencl/spring_stage.hpp"
 
 namespace pelage {
 
@@ -166,11 +165,7 @@ std::string Shells::kernel_hash() const {
 }
 
 std::vector<glm::vec4> Shells::mask() const {
-  const std::vector<float> values = state_->wet.mask().read(state_->queue);
-  std::vector<glm::vec4> texels(values.size() / 4);
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    texels[i] = {values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]};
-  return texels;
+  return state_->wet.mask().read(state_->queue);
 }
 
 std::vector<glm::vec3> Shells::tips() const {

@@ -1,6 +1,5 @@
-#include "harness/shells/opencl/spring_stage.hpp"
-
 #include "harness/shells/opencl/program_texts.hpp"
+#include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/springs/model/scene.hpp"
 
 namespace pelage::shells {

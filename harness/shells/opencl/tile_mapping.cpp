@@ -2,7 +2,6 @@
 // faster with vectors of 16 elements, the work-item uses such vectors.
 #include <algorithm>
 
-#include "harness/cl/mapping_names.hpp"
 #include "harness/shells/opencl/mapping.hpp"
 
 namespace pelage::shells {

@@ -27,13 +27,6 @@ std::vector<float> droplet_rows(const std::vector<Droplet>& droplets, const std:
   return rows;
 }
 
-std::vector<float> flat(const std::vector<glm::vec3>& points) {
-  std::vector<float> values;
-  values.reserve(points.size() * 3);
-  for (const glm::vec3& p : points) values.insert(values.end(), {p.x, p.y, p.z});
-  return values;
-}
-
 /// Returns the indices of the droplets that are blended into the mask, in the order of blending. `rho` is the
 /// present wetness of each droplet. If the water changes, dry droplets are left out.
 std::vector<std::uint32_t> blending_order(const FrameInput& input, const std::vector<float>& rho,
@@ -80,8 +73,9 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
       bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 8))),
       buckets_(input, bucket_, changes_),
       droplets_(queue.device(), DROP_COLUMNS * input.droplets.size()),
-      surface_(queue, std::span<const float>(flat(input.mask_surface))),
-      mask_(queue, std::span<const float>(std::vector<float>(4 * std::size_t(size_) * std::size_t(size_)))) {
+      surface_(cl::uploaded(queue, input.mask_surface)),
+      mask_(cl::uploaded(queue,
+                         std::vector<glm::vec4>(std::size_t(size_) * std::size_t(size_), glm::vec4(0)))) {
   // The buffers have room for all droplets, but a picture needs only the droplets that are wet at its time.
   row_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.buckets() + 1);
   drop_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.entries());
@@ -174,7 +168,7 @@ BucketLists DropletBuckets::lists(const std::vector<std::uint32_t>& order) const
 
 TexelLists::TexelLists(const cl::Queue& queue, const cl::Program& program, const WetParams& params,
                        const cl::Buffer<float>& droplets, const cl::Buffer<std::int32_t>& row,
-                       const cl::Buffer<std::int32_t>& drop, const cl::Buffer<float>& surface)
+                       const cl::Buffer<std::int32_t>& drop, const cl::Buffer<glm::vec3>& surface)
     : kernel_(program, "wetness_mask_by_texel") {
   const cl::Device& device = queue.device();
   const std::size_t texels = std::size_t(params.size) * std::size_t(params.size);
@@ -212,7 +206,7 @@ void TexelLists::upload(const cl::Queue& queue, const std::vector<float>& rho,
 }
 
 cl::Event TexelLists::run(const cl::Queue& queue, const WetParams& params, const cl::Buffer<float>& droplets,
-                          cl::Buffer<float>& mask) {
+                          cl::Buffer<glm::vec4>& mask) {
   kernel_.with(params, droplets, rho_, rank_, start_, list_, mask);
   return kernel_.enqueue_loop(queue, std::size_t(params.size) * std::size_t(params.size));
 }

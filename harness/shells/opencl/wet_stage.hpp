@@ -48,7 +48,7 @@ class TexelLists {
   /// and `drop` are the lists of all buckets, and `surface` the surface points of the texels.
   TexelLists(const cl::Queue& queue, const cl::Program& program, const WetParams& params,
              const cl::Buffer<float>& droplets, const cl::Buffer<std::int32_t>& row,
-             const cl::Buffer<std::int32_t>& drop, const cl::Buffer<float>& surface);
+             const cl::Buffer<std::int32_t>& drop, const cl::Buffer<glm::vec3>& surface);
   /// False if a list has more than `most` entries, or if all lists have more than most_entries. run() would
   /// then take long, and must not be called.
   bool short_enough() const { return short_enough_; }
@@ -59,7 +59,7 @@ class TexelLists {
   void upload(const cl::Queue& queue, const std::vector<float>& rho, const std::vector<std::uint32_t>& order);
   /// Computes the mask.
   cl::Event run(const cl::Queue& queue, const WetParams& params, const cl::Buffer<float>& droplets,
-                cl::Buffer<float>& mask);
+                cl::Buffer<glm::vec4>& mask);
 
  private:
   bool short_enough_ = false;
@@ -79,8 +79,8 @@ class WetStage {
   void upload_droplets(const cl::Queue& queue, const FrameInput& input, int frames);
   /// Computes the mask. The constructor calls run(), too, if there are droplets.
   cl::Event run(const cl::Queue& queue);
-  bool changes() const { return changes_; }                ///< true: the water changes over time
-  const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
+  bool changes() const { return changes_; }                    ///< true: the water changes over time
+  const cl::Buffer<glm::vec4>& mask() const { return mask_; }  ///< one value per texel
   const cl::Program* program() const { return program_ ? &*program_ : nullptr; }  ///< null without droplets
 
  private:
@@ -99,7 +99,9 @@ class WetStage {
   DropletBuckets buckets_;
   std::optional<cl::Program> program_;
   std::optional<cl::Kernel> kernel_;
-  cl::Buffer<float> droplets_, surface_, mask_;
+  cl::Buffer<float> droplets_;
+  cl::Buffer<glm::vec3> surface_;
+  cl::Buffer<glm::vec4> mask_;
   cl::Buffer<std::int32_t> row_, drop_;
   std::optional<TexelLists> lists_;  ///< used if the water changes and no list is long
 };

@@ -7,7 +7,6 @@
 #include <bit>
 #include <limits>
 
-#include "harness/cl/mapping_names.hpp"
 #include "harness/cl/radix_sort.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/opencl/mapping.hpp"
@@ -44,15 +43,11 @@ class WorkgroupMapping : public Mapping {
       throw DeviceError(fmt::format(
           "{} layer batches of {} triangles: the number of batches times the number of triangles must be below 2^31; increase the number of layers per batch (tuning axis GROUP)",
           p.layer_batches, p.triangles));
-    std::vector<cl::Event> launches;
-    std::vector<cl::Event>* const noted = events ? &launches : nullptr;
-    const auto keep = [&](cl::Event event) {
-      if (events) launches.push_back(std::move(event));
-    };
+    const auto keep = [&](cl::Event event) { cl::keep(events, "bin", std::move(event)); };
     if (offset_.size() < items) offset_ = cl::Buffer<std::int32_t>(queue.device(), items);
     count_.with(p, b.corner, b.box, offset_);
     keep(count_.enqueue_loop(queue, items));
-    const std::int32_t total = sort_.scan(queue, offset_, items, noted, true);
+    const std::int32_t total = sort_.scan(queue, offset_, items, events, true);
     // The sort kernels divide the entries of all triangle lists into runs of equal length. If `total` is
     // above the following limit, the end index of the last run overflows an int.
     if (total > std::numeric_limits<std::int32_t>::max() - 4096)
@@ -65,10 +60,9 @@ class WorkgroupMapping : public Mapping {
     cl::grow(queue, b.list, count + 1);
     emit_.with(p, b.corner, b.box, offset_, key_, b.list);
     keep(emit_.enqueue_loop(queue, items));
-    sort_.sort(queue, key_, b.list, count, int(std::bit_width(lists - 1)), noted);
+    sort_.sort(queue, key_, b.list, count, int(std::bit_width(lists - 1)), events);
     starts_.with(p, total, key_, b.list_start);
     keep(starts_.enqueue_loop(queue, count + 1));
-    for (cl::Event& launch : launches) events->emplace_back("bin", std::move(launch));
   }
 
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {

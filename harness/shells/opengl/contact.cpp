@@ -9,14 +9,6 @@
 namespace pelage::rivals {
 namespace {
 
-bool active(const ContactMotion& motion, double time) {
-  return time >= double(motion.begin) && time < double(motion.end);
-}
-
-glm::vec3 at_time(const glm::vec3& place, const ContactMotion& motion, double time) {
-  return glm::vec3(glm::dvec3(place) + (time - double(motion.begin)) * glm::dvec3(motion.velocity));
-}
-
 void set_vectors(GLuint program, const char* name, const std::vector<glm::vec4>& values) {
   const GLint place = glGetUniformLocation(program, name);
   if (place >= 0) glProgramUniform4fv(program, place, GLsizei(values.size()), &values.front().x);
@@ -51,13 +43,13 @@ void set_colliders(GLuint program, const FrameInput& input, double time) {
   if (!has_contact(contact)) return;
   std::vector<glm::vec4> from, axis;
   for (const ContactSphereScene& s : contact.spheres) {
-    from.emplace_back(at_time(s.centre, s.motion, time), active(s.motion, time) ? s.radius : 0.0f);
+    from.emplace_back(glm::vec3(s.motion.moved(s.centre, time)), s.motion.exists(time) ? s.radius : 0.0f);
     axis.emplace_back(0.0f);
   }
   for (const ContactCapsuleScene& c : contact.capsules) {
     const glm::dvec3 along = glm::dvec3(c.to) - glm::dvec3(c.from);
     const double length = glm::length(along);
-    from.emplace_back(at_time(c.from, c.motion, time), active(c.motion, time) ? c.radius : 0.0f);
+    from.emplace_back(glm::vec3(c.motion.moved(c.from, time)), c.motion.exists(time) ? c.radius : 0.0f);
     axis.emplace_back(glm::vec3(length > 0 ? along / length : along), float(length));
   }
   from.emplace_back(0.0f);
@@ -67,9 +59,9 @@ void set_colliders(GLuint program, const FrameInput& input, double time) {
   const DistanceField* field = input.contact_field.get();
   if (!field) return;
   const ContactMeshScene& mesh = contact.mesh;
-  set_vectors(
-      program, "mesh_place",
-      {glm::vec4(at_time(mesh.position, mesh.motion, time), active(mesh.motion, time) ? mesh.scale : 0.0f)});
+  set_vectors(program, "mesh_place",
+              {glm::vec4(glm::vec3(mesh.motion.moved(mesh.position, time)),
+                         mesh.motion.exists(time) ? mesh.scale : 0.0f)});
   set_vectors(program, "mesh_grid", {glm::vec4(field->origin, 1.0f / field->cell)});
 }
 

@@ -22,11 +22,6 @@ float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& 
   return clump.w * std::clamp(1.0f + depth * 2.0f * float(size), 0.0f, 1.0f);
 }
 
-/// Returns an entry of a map of `Style`, or 1 if the scene has no such map.
-float share_of(const std::vector<float>& map, std::size_t entry) {
-  return map.empty() ? 1.0f : map[entry];
-}
-
 /// A base vertex: homogeneous position in pixels from the image centre, and the rounded position in 1/256
 /// pixel.
 struct Placed {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "harness/parallel.hpp"
+#include "harness/prepare/strands.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {
@@ -81,7 +82,8 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
   std::vector<Bend> of_strand(faces);
   for_each_index(faces, 256, [&](std::size_t f) {
     if (!strand_wanted[f] || on_sticks) return;
-    of_strand[f] = {length_of(input, f) * glm::dvec3(strands.normal[f]), simulate(input, f, frames).tip};
+    of_strand[f] = {double(strand_length(input.scene.fur, input.style, f)) * glm::dvec3(strands.normal[f]),
+                    simulate(input, f, frames).tip};
   });
   for_each_index(count, 1024, [&](std::size_t s) {
     if (!wanted_[s]) return;
@@ -114,16 +116,14 @@ std::uint32_t Geometry::vertex(std::size_t slot) const {
 }
 
 Geometry::CurlAxes Geometry::curl_axes(std::size_t slot) const {
-  const std::vector<float>& share = input_->style.curl_radius;
   const std::uint32_t point = input_->mesh->weld[vertex(slot)];
-  const double radius =
-      (share.empty() ? 1.0 : double(share[point])) * double(input_->scene.curl.radius) * (1.0 - rho_[slot]);
+  const double radius = double(share_of(input_->style.curl_radius, point)) *
+                        double(input_->scene.curl.radius) * (1.0 - rho_[slot]);
   return {radius * glm::dvec3(input_->curl.u[point]), radius * glm::dvec3(input_->curl.v[point])};
 }
 
 double Geometry::turns_share(std::size_t slot) const {
-  const std::vector<float>& share = input_->style.curl_turns;
-  return share.empty() ? 1.0 : double(share[input_->mesh->weld[vertex(slot)]]);
+  return double(share_of(input_->style.curl_turns, input_->mesh->weld[vertex(slot)]));
 }
 
 glm::dvec3 Geometry::curl_offset(std::size_t slot, int n) const {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "harness/parallel.hpp"
+#include "harness/prepare/strands.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {
@@ -21,11 +22,6 @@ glm::dvec3 wind_force(const WindScene& wind, const glm::dvec2& phase, double tim
 }
 
 }  // namespace
-
-double length_of(const FrameInput& input, std::size_t face) {
-  if (input.style.length.empty()) return double(input.scene.fur.length);
-  return double(input.scene.fur.length * input.style.length[face]);
-}
 
 Strand constrain(Strand strand, const glm::dvec3& normal, double length) {
   const double height = glm::dot(strand.tip, normal);
@@ -59,7 +55,7 @@ Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::si
   if (has_contact(input.scene.contact))
     strand =
         Colliders(input, double(index + 1) * dt).push(strand, glm::dvec3(input.strands.root[face]), normal);
-  return constrain(strand, normal, length_of(input, face));
+  return constrain(strand, normal, double(strand_length(input.scene.fur, input.style, face)));
 }
 
 Strand simulate(const FrameInput& input, std::size_t face, int frames) {
@@ -79,14 +75,6 @@ std::vector<Strand> simulate(const FrameInput& input, int frames) {
 namespace {
 
 constexpr int march_steps = 16, halvings = 8;
-
-bool exists(const ContactMotion& motion, double time) {
-  return double(motion.begin) <= time && time < double(motion.end);
-}
-
-glm::dvec3 moved(const glm::vec3& start, const ContactMotion& motion, double time) {
-  return glm::dvec3(start) + (time - double(motion.begin)) * glm::dvec3(motion.velocity);
-}
 
 /// Returns the point of the segment from a to b that is nearest to p.
 glm::dvec3 nearest_on(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p) {
@@ -123,17 +111,17 @@ glm::dvec3 slope_at(const DistanceField& field, const glm::dvec3& point) {
 Colliders::Colliders(const FrameInput& input, double time) {
   const ContactScene& scene = input.scene.contact;
   for (const ContactSphereScene& s : scene.spheres) {
-    const glm::dvec3 centre = moved(s.centre, s.motion, time);
-    if (exists(s.motion, time))
+    const glm::dvec3 centre = s.motion.moved(s.centre, time);
+    if (s.motion.exists(time))
       capsules_.push_back({centre, centre, double(s.radius), glm::dvec3(s.motion.velocity)});
   }
   for (const ContactCapsuleScene& c : scene.capsules)
-    if (exists(c.motion, time))
-      capsules_.push_back({moved(c.from, c.motion, time), moved(c.to, c.motion, time), double(c.radius),
+    if (c.motion.exists(time))
+      capsules_.push_back({c.motion.moved(c.from, time), c.motion.moved(c.to, time), double(c.radius),
                            glm::dvec3(c.motion.velocity)});
-  if (!input.contact_field || !exists(scene.mesh.motion, time)) return;
+  if (!input.contact_field || !scene.mesh.motion.exists(time)) return;
   field_ = input.contact_field.get();
-  position_ = moved(scene.mesh.position, scene.mesh.motion, time);
+  position_ = scene.mesh.motion.moved(scene.mesh.position, time);
   velocity_ = glm::dvec3(scene.mesh.motion.velocity);
   scale_ = double(scene.mesh.scale);
 }

@@ -21,9 +21,6 @@ struct Strand {
 /// The function also removes the component of the velocity that points out of the half ball.
 Strand constrain(Strand strand, const glm::dvec3& normal, double length);
 
-/// Returns the length of the strand of `face` in R: fur.length, times the factor of fur.length_map.
-double length_of(const FrameInput& input, std::size_t face);
-
 /// Returns the strand of `face` at rest. The tip is at the strand's anchor and has the velocity 0.
 Strand rest(const FrameInput& input, std::size_t face);
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"
@@ -146,5 +147,14 @@ struct SkinSurface {
 /// Returns the surface of the mesh. The colour of a vertex is the coat's colour at its UV times `factor`. The
 /// normal of a vertex is the area-weighted mean of the normals of the triangles around its surface point.
 SkinSurface skin_surface(const Mesh& mesh, const CoatTexture& coat, glm::vec3 factor);
+
+/// What a picture shows, and from where.
+struct DrawingScene {
+  Camera camera;
+  Look look;
+  DepthRange range;                         ///< see depth_range()
+  float first_segment = 0.5f;               ///< length of the first segment, in lengths of the strand
+  std::shared_ptr<const SkinSurface> skin;  ///< null: the picture has no skin
+};
 
 }  // namespace pelage::strands

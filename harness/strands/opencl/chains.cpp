@@ -69,7 +69,7 @@ void Chains::set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinF
   skin_->last_step = steps_ + substeps;
 }
 
-void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches) {
+void Chains::enqueue(const cl::Queue& queue, int substeps, cl::PhaseEvents* events) {
   if (substeps <= 0) throw InputError(fmt::format("substeps: {}; the number must be at least 1", substeps));
   if (skin_ && (steps_ < skin_->first_step || steps_ + substeps > skin_->last_step))
     throw InputError(fmt::format("substeps: {}; the frames of the skin have {} more steps", substeps,
@@ -95,8 +95,7 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event
   } else {
     frame_.with(p, moments_, constants_, states_, some_constants_, some_states_);
   }
-  cl::Event event = (skin_ ? skin_->frame : frame_).enqueue(queue, items);
-  if (launches) launches->push_back(std::move(event));
+  cl::keep(events, "simulate", (skin_ ? skin_->frame : frame_).enqueue(queue, items));
   steps_ += substeps;
 }
 
@@ -106,8 +105,7 @@ std::vector<const cl::Program*> Chains::programs() const {
   return all;
 }
 
-void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
-                        std::vector<cl::Event>* launches) {
+void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys, cl::PhaseEvents* events) {
   const std::size_t padded = std::size_t(params_.slices) * 16;
   if (keys.size() < padded * KEY_RECORD)
     throw InputError(
@@ -121,8 +119,7 @@ void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
   const std::size_t units = padded / std::size_t(lanes_);
   write_keys_.with(std::int32_t(units), std::int32_t(0), present_, skin_ ? skin_->to : constants_, states_,
                    keys);
-  cl::Event event = write_keys_.enqueue(queue, units);
-  if (launches) launches->push_back(std::move(event));
+  cl::keep(events, "keys", write_keys_.enqueue(queue, units));
 }
 
 void Chains::set(const cl::Queue& queue, const std::vector<ChainState>& states, long steps) {

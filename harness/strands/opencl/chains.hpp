@@ -21,9 +21,9 @@ class Chains {
   Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const ChainDynamics& dynamics,
          const ChainOptions& options = {});
 
-  /// Enqueues `substeps` steps in one launch. Appends the event of the launch to `launches` unless it is
-  /// null.
-  void enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches = nullptr);
+  /// Enqueues `substeps` steps in one launch. Appends the event of the launch to `events`, in the phase
+  /// simulate, unless it is null.
+  void enqueue(const cl::Queue& queue, int substeps, cl::PhaseEvents* events = nullptr);
 
   /// Sets the states of all strands. `steps` is the number of steps from the start to these states. Throws
   /// InputError if the number of states is wrong.
@@ -41,10 +41,9 @@ class Chains {
   /// Enqueues the conversion of the present states to key strands: KEY_RECORD floats each
   /// (kernels/strands/draw/params.h). The key strands are in the object's frame. With set_skin(), they are in
   /// the world and have the roots, normals and directions at rest of the frame `to`. `keys` must have room
-  /// for the number of strands, rounded up to a multiple of 16. Appends the event of the launch to `launches`
-  /// unless it is null. Throws InputError if `keys` is too small.
-  void write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
-                  std::vector<cl::Event>* launches = nullptr);
+  /// for the number of strands, rounded up to a multiple of 16. Appends the event of the launch to `events`,
+  /// in the phase keys, unless it is null. Throws InputError if `keys` is too small.
+  void write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys, cl::PhaseEvents* events = nullptr);
   const cl::Buffer<float>& buffer() const { return states_; }  ///< the table of states, CHAIN_COLUMNS columns
   long steps() const { return steps_; }
   std::vector<const cl::Program*> programs() const;

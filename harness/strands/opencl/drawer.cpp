@@ -141,8 +141,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
                 padded);
   film_ = cl::uploaded(queue, film_table(scene.look));
   layer_table_ = cl::Buffer<std::int32_t>(device, std::size_t(most_layers) * LAYER_RECORD);
-  no_map_ = cl::Buffer<glm::vec4>(device, 1);
-  no_skin_ = cl::Buffer<glm::vec4>(device, 1);
+  nothing_ = cl::Buffer<glm::vec4>(device, 1);
   if (scene.look.shadow.reading != Shadow::none)
     map_.emplace(queue, params_, light_view(scene.look), kinds_, layout_, padded);
   if (scene.skin) skin_.emplace(queue, params_, *scene.skin, layout_.lanes, skin_text(kinds_, layout_.lanes));
@@ -200,14 +199,11 @@ void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
     write_layers(queue);
     map_->enqueue(queue, params_, light_view(scene_.look), {constants_, keys_, layer_table_, film_}, events);
   }
-  const cl::Buffer<glm::vec4>& map = map_ ? map_->texels() : no_map_;
+  const cl::Buffer<glm::vec4>& map = map_ ? map_->texels() : nothing_;
   if (skin_) skin_->enqueue(queue, params_, map, events);
   enqueue_keys(queue, events);
-  std::vector<cl::Event> sorted;
-  sort_.sort(queue, pass_->pairs(), pass_->live(), std::size_t(params_.capacity), key_bits_, &sorted);
-  if (events)
-    for (cl::Event& event : sorted) events->emplace_back("sort", std::move(event));
-  pass_->draw(queue, params_, sort_.total(), film_, map, skin_ ? skin_->pixels() : no_skin_, "bin", "raster",
+  sort_.sort(queue, pass_->pairs(), pass_->live(), std::size_t(params_.capacity), key_bits_, events);
+  pass_->draw(queue, params_, sort_.total(), film_, map, skin_ ? skin_->pixels() : nothing_, "bin", "raster",
               events);
 }
 

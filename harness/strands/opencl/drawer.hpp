@@ -1,6 +1,7 @@
 // Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
 #pragma once
 #include <algorithm>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
@@ -117,19 +118,12 @@ class SkinDrawer {
   int vertices_, triangles_, pixel_count_, lanes_;
   cl::Program program_;
   cl::Kernel make_vertices_, clear_, find_depth_, find_owner_, colour_pixels_;
-  cl::Buffer<float> position_, normal_, colour_, vertex_;
-  cl::Buffer<std::int32_t> index_, owner_;
+  cl::Buffer<glm::vec3> position_, normal_, colour_;
+  cl::Buffer<float> vertex_;
+  cl::Buffer<glm::uvec3> index_;
+  cl::Buffer<std::int32_t> owner_;
   cl::Buffer<std::uint32_t> depth_;
   cl::Buffer<glm::vec4> pixels_;
-};
-
-/// What a picture shows, and from where.
-struct DrawingScene {
-  Camera camera;
-  Look look;
-  DepthRange range;                         ///< see depth_range()
-  float first_segment = 0.5f;               ///< length of the first segment, in lengths of the strand
-  std::shared_ptr<const SkinSurface> skin;  ///< null: the picture has no skin
 };
 
 class Drawer {
@@ -189,8 +183,7 @@ class Drawer {
   std::optional<SkinDrawer> skin_;
   cl::Buffer<float> constants_, keys_;
   cl::Buffer<std::int32_t> film_, layer_table_;
-  cl::Buffer<glm::vec4> no_map_;   ///< the kernels' argument if the look has no shadow
-  cl::Buffer<glm::vec4> no_skin_;  ///< the kernels' argument if the picture has no skin
+  cl::Buffer<glm::vec4> nothing_;  ///< the kernels' argument without an opacity map or without a skin
   bool layers_written_ = false;
   int key_bits_;  ///< number of bits that the sort keys use
 };

@@ -12,21 +12,6 @@ namespace {
 
 constexpr std::size_t vertex_record = 8;  // VERTEX_RECORD of skin.cl
 
-std::vector<float> flat(const std::vector<glm::vec3>& vectors) {
-  std::vector<float> values;
-  values.reserve(3 * vectors.size());
-  for (const glm::vec3& v : vectors) values.insert(values.end(), {v.x, v.y, v.z});
-  return values;
-}
-
-std::vector<std::int32_t> flat(const std::vector<glm::uvec3>& triangles) {
-  std::vector<std::int32_t> values;
-  values.reserve(3 * triangles.size());
-  for (const glm::uvec3& t : triangles)
-    values.insert(values.end(), {std::int32_t(t.x), std::int32_t(t.y), std::int32_t(t.z)});
-  return values;
-}
-
 /// Room for `count` elements in groups of at most 16.
 std::size_t padded(std::size_t count) {
   return (count + 15) / 16 * 16;
@@ -49,10 +34,10 @@ SkinDrawer::SkinDrawer(const cl::Queue& queue, const DrawParams& params, const S
   if (triangles_ == 0) throw InputError("skin of the strands: no triangles; give at least one");
   const cl::Device& device = queue.device();
   const std::size_t pixels = padded(std::size_t(params.width) * std::size_t(params.height));
-  position_ = cl::uploaded(queue, flat(skin.position));
-  normal_ = cl::uploaded(queue, flat(skin.normal));
-  colour_ = cl::uploaded(queue, flat(skin.colour));
-  index_ = cl::uploaded(queue, flat(skin.triangle));
+  position_ = cl::uploaded(queue, skin.position);
+  normal_ = cl::uploaded(queue, skin.normal);
+  colour_ = cl::uploaded(queue, skin.colour);
+  index_ = cl::uploaded(queue, skin.triangle);
   vertex_ = cl::Buffer<float>(device, padded(skin.position.size()) * vertex_record);
   owner_ = cl::Buffer<std::int32_t>(device, pixels);
   depth_ = cl::Buffer<std::uint32_t>(device, pixels);
@@ -63,8 +48,8 @@ void SkinDrawer::deform(const cl::Queue& queue, const SkinSurface& skin) {
   if (int(skin.position.size()) != vertices_ || int(skin.normal.size()) != vertices_)
     throw InputError(fmt::format("skin of the strands: {} positions and {} normals for {} vertices",
                                  skin.position.size(), skin.normal.size(), vertices_));
-  position_.write(queue, flat(skin.position));
-  normal_.write(queue, flat(skin.normal));
+  position_.write(queue, skin.position);
+  normal_.write(queue, skin.normal);
 }
 
 void SkinDrawer::enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec4>& map,
@@ -79,8 +64,7 @@ void SkinDrawer::enqueue(const cl::Queue& queue, const DrawParams& params, const
   };
   const auto launch = [&](const cl::Kernel& kernel, int count) {
     const int each = lanes_ * per_item(count);
-    cl::Event event = kernel.enqueue(queue, std::size_t((count + each - 1) / each));
-    if (events) events->emplace_back("skin", std::move(event));
+    cl::keep(events, "skin", kernel.enqueue(queue, std::size_t((count + each - 1) / each)));
   };
   make_vertices_.with(params, per_item(vertices_), vertices_, position_, normal_, colour_, map, vertex_);
   launch(make_vertices_, vertices_);

@@ -44,24 +44,20 @@ void StrandPass::make_keys(const cl::Queue& queue, const DrawParams& params,
                            const cl::Buffer<std::int32_t>& layers, const char* phase,
                            cl::PhaseEvents* events) {
   make_keys_.with(params, constants, keys, layers, rows_, blocks_, pairs_, live_, curves_);
-  cl::Event event = make_keys_.enqueue(queue, std::size_t(params.runs));
-  if (events) events->emplace_back(phase, std::move(event));
+  cl::keep(events, phase, make_keys_.enqueue(queue, std::size_t(params.runs)));
 }
 
 void StrandPass::draw(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<std::int32_t>& total,
                       const cl::Buffer<std::int32_t>& film, const cl::Buffer<glm::vec4>& map,
                       const cl::Buffer<glm::vec4>& skin, const char* list_phase, const char* draw_phase,
                       cl::PhaseEvents* events) {
-  const auto keep = [&](const char* phase, cl::Event event) {
-    if (events) events->emplace_back(phase, std::move(event));
-  };
   const auto chunks = std::size_t(params.chunks);
   count_.with(params, total, blocks_, pairs_, chunk_count_);
-  keep(list_phase, count_.enqueue(queue, chunks, 1));
+  cl::keep(events, list_phase, count_.enqueue(queue, chunks, 1));
   sum_.with(params, chunk_count_, length_);
-  keep(list_phase, sum_.enqueue(queue, length_.size()));
+  cl::keep(events, list_phase, sum_.enqueue(queue, length_.size()));
   start_.with(params, length_, list_start_, taken_);
-  keep(list_phase, start_.enqueue(queue, 1));
+  cl::keep(events, list_phase, start_.enqueue(queue, 1));
   std::array<std::int32_t, 1> sum{};
   list_start_.read(queue, sum, length_.size());
   if (sum[0] == std::numeric_limits<std::int32_t>::max())
@@ -76,13 +72,13 @@ void StrandPass::draw(const cl::Queue& queue, const DrawParams& params, const cl
     spot_ = cl::Buffer<std::uint16_t>(queue.device(), listed + listed / 4 + 16);
   }
   fill_.with(params, total, blocks_, pairs_, list_start_, chunk_count_, list_, spot_);
-  keep(list_phase, fill_.enqueue(queue, chunks, 1));
+  cl::keep(events, list_phase, fill_.enqueue(queue, chunks, 1));
   draw_.with(params, rows_, film, map, list_start_, list_, spot_, skin, image_, taken_, blank_);
   // A work-group draws a tile, or a work-item draws one tile after the other until no tile is left.
   const std::size_t tiles = length_.size(), pixels = std::size_t(layout_.tile) * std::size_t(layout_.tile);
   const std::size_t items = std::min(tiles, 32 * std::size_t(queue.device().info().compute_units));
-  keep(draw_phase,
-       layout_.group ? draw_.enqueue(queue, tiles * pixels, pixels) : draw_.enqueue(queue, items, 1));
+  cl::keep(events, draw_phase,
+           layout_.group ? draw_.enqueue(queue, tiles * pixels, pixels) : draw_.enqueue(queue, items, 1));
 }
 
 namespace {

@@ -2,18 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "harness/cl/mapping_names.hpp"
 #include "harness/error.hpp"
 
 namespace pelage::strands {
-namespace {
-
-DrawingScene drawing_of(const StrandInput& input) {
-  return {input.camera, input.look, input.range, input.dynamics.first_segment, input.skin};
-}
-
-}  // namespace
-
 Drawing drawing_named(const std::string& name) {
   if (name.empty()) return Drawing::standard;
   if (name == cl::item_mapping) return Drawing::item;
@@ -27,7 +18,7 @@ Strands::Strands(const cl::Device& device, std::shared_ptr<const StrandInput> in
     : queue_(device),
       input_(std::move(input)),
       chains_(queue_, input_->fur.chains, input_->dynamics),
-      drawer_(queue_, drawing_of(*input_), input_->fur.strands, input_->fur.keys.size(), options) {
+      drawer_(queue_, *input_, input_->fur.strands, input_->fur.keys.size(), options) {
   if (input_->mesh->frames.empty()) return;
   skin_.emplace(input_->scene, input_->mesh, input_->fur, input_->skin);
   skin_->advance();
@@ -44,19 +35,16 @@ void Strands::follow_skin() {
   followed_ = true;
 }
 
-void Strands::move(std::vector<cl::Event>* launches) {
+void Strands::move(cl::PhaseEvents* events) {
   followed_ = false;
-  chains_.enqueue(queue_, input_->scene.dynamics.substeps, launches);
+  chains_.enqueue(queue_, input_->scene.dynamics.substeps, events);
 }
 
 cl::FrameTiming Strands::frame() {
   follow_skin();
   const cl::FrameTiming timing = cl::timed_frame(queue_, [&](cl::PhaseEvents& events) {
-    std::vector<cl::Event> moved, written;
-    move(&moved);
-    for (cl::Event& event : moved) events.emplace_back("simulate", std::move(event));
-    chains_.write_keys(queue_, drawer_.keys(), &written);
-    for (cl::Event& event : written) events.emplace_back("keys", std::move(event));
+    move(&events);
+    chains_.write_keys(queue_, drawer_.keys(), &events);
     drawer_.enqueue(queue_, &events);
   });
   ++frames_;
@@ -70,9 +58,8 @@ cl::FrameTiming Strands::still() {
 }
 
 bool Strands::set_view(std::shared_ptr<const StrandInput> input) {
-  const DrawingScene scene = drawing_of(*input);
-  if (!drawer_.can_show(scene)) return false;
-  drawer_.set_view(scene);
+  if (!drawer_.can_show(*input)) return false;
+  drawer_.set_view(*input);
   input_ = std::move(input);
   return true;
 }

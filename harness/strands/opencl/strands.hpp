@@ -14,7 +14,7 @@
 
 namespace pelage::strands {
 
-/// Returns the way to draw that has the name `name` (harness/cl/mapping_names.hpp), or the device's default
+/// Returns the way to draw that has the name `name` (harness/cl/program.hpp), or the device's default
 /// if `name` is empty. Throws InputError for other names.
 Drawing drawing_named(const std::string& name);
 
@@ -62,7 +62,7 @@ class Strands {
   std::vector<const cl::Program*> programs() const;
 
  private:
-  void move(std::vector<cl::Event>* launches);  ///< simulates a frame
+  void move(cl::PhaseEvents* events);  ///< simulates a frame
 
   cl::Queue queue_;
   std::shared_ptr<const StrandInput> input_;

@@ -55,15 +55,14 @@ bool beyond(const std::array<float, 3>& place, const std::array<float, 3>& depth
 
 }  // namespace
 
-HostStrands::HostStrands(const Camera& camera, const Look& look, const DepthRange& range, float first_segment,
-                         const std::vector<KeyedStrand>& strands)
-    : camera_(camera),
-      range_(range),
-      first_segment_(first_segment),
+HostStrands::HostStrands(const DrawingScene& scene, const std::vector<KeyedStrand>& strands)
+    : camera_(scene.camera),
+      range_(scene.range),
+      first_segment_(scene.first_segment),
       strands_(strands),
       records_(strands.size()),
       keys_(strands.size()) {
-  for (const KeyedStrand& s : strands) ranks_.push_back(std::uint32_t(layer_look(look, s.layer).rank));
+  for (const KeyedStrand& s : strands) ranks_.push_back(std::uint32_t(layer_look(scene.look, s.layer).rank));
 }
 
 void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {

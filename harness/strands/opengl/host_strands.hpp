@@ -21,8 +21,7 @@ struct StrandRecord {
 
 class HostStrands {
  public:
-  HostStrands(const Camera& camera, const Look& look, const DepthRange& range, float first_segment,
-              const std::vector<KeyedStrand>& strands);
+  HostStrands(const DrawingScene& scene, const std::vector<KeyedStrand>& strands);
   /// Returns the strands to draw, from back to front. The result is valid until the next call. All cores of
   /// the machine interpolate strands; one core sorts them.
   const std::vector<StrandRecord>& back_to_front(const std::vector<KeyStrand>& keys);

@@ -28,7 +28,7 @@ std::string constant(const char* name, glm::vec3 v) {
   return fmt::format("const vec3 {} = vec3({:.9g}, {:.9g}, {:.9g});\n", name, v.x, v.y, v.z);
 }
 
-std::string constants_of(const RibbonScene& scene) {
+std::string constants_of(const DrawingScene& scene) {
   const Camera& c = scene.camera;
   const Look& look = scene.look;
   const glm::vec3 light = glm::normalize(look.light);
@@ -43,7 +43,7 @@ std::string constants_of(const RibbonScene& scene) {
          constant("SPECULAR", look.specular) + constant("EXPONENT", look.exponent);
 }
 
-gl::Program program_of(const RibbonScene& scene, bool instanced) {
+gl::Program program_of(const DrawingScene& scene, bool instanced) {
   const std::string head = "#version 450 core\n" + constants_of(scene);
   return {{"strands/strand.vert", head + (instanced ? "#define INSTANCED\n" : "") +
                                       gl::shader_text("strands/strip.glsl") +
@@ -73,7 +73,7 @@ std::vector<GLuint> triangles_of(std::size_t strands, int segments) {
 }  // namespace
 
 struct Ribbons::State {
-  RibbonScene scene;
+  DrawingScene scene;
   HostStrands host;
   bool instanced;
   gl::Context context;  // declared before the OpenGL objects, so that it is destroyed after them
@@ -82,9 +82,9 @@ struct Ribbons::State {
   gl::Target target;
   std::size_t drawn = 0;
 
-  State(const RibbonScene& from, const std::vector<KeyedStrand>& strands, const RibbonOptions& options)
+  State(const DrawingScene& from, const std::vector<KeyedStrand>& strands, const RibbonOptions& options)
       : scene(from),
-        host(from.camera, from.look, from.range, from.first_segment, strands),
+        host(from, strands),
         instanced(is_instanced(options)),
         program(program_of(from, instanced)),
         records(gl::make_buffer(nullptr, std::max<std::size_t>(strands.size(), 1) * sizeof(StrandRecord),
@@ -138,7 +138,7 @@ struct Ribbons::State {
   }
 };
 
-Ribbons::Ribbons(const RibbonScene& scene, const std::vector<KeyedStrand>& strands,
+Ribbons::Ribbons(const DrawingScene& scene, const std::vector<KeyedStrand>& strands,
                  const RibbonOptions& options)
     : state_((check(scene.look), std::make_unique<State>(scene, strands, options))) {}
 Ribbons::~Ribbons() = default;

@@ -31,19 +31,11 @@ RibbonOptions ribbon_options(const std::string& text);
 /// Returns all options as text that ribbon_options() reads.
 std::string to_text(const RibbonOptions& options);
 
-/// The scene of a picture of strands, as OpenGL draws it.
-struct RibbonScene {
-  Camera camera;
-  Look look;
-  DepthRange range;
-  float first_segment = 0.5f;  ///< length of the first segment, in lengths of the strand
-};
-
 /// Strands that OpenGL draws. The member functions and the constructor throw DeviceError if OpenGL reports an
 /// error. The constructor throws InputError if there is no OpenGL 4.5.
 class Ribbons {
  public:
-  Ribbons(const RibbonScene& scene, const std::vector<KeyedStrand>& strands,
+  Ribbons(const DrawingScene& scene, const std::vector<KeyedStrand>& strands,
           const RibbonOptions& options = {});
   ~Ribbons();
   Ribbons(Ribbons&&) noexcept;

@@ -139,6 +139,7 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
   if (scene.strands.skin)
     input->skin = std::make_shared<SkinSurface>(skin_surface(*mesh, coat, scene.coat.skin));
   input->dynamics = chain_dynamics(scene);
+  input->first_segment = input->dynamics.first_segment;
   const ChainScene& chain = scene.strands.chain;
   if (chain.collision == "body") input->dynamics.body = kept_distance_field(mesh, chain.body_cells);
   input->mesh = std::move(mesh);

@@ -11,15 +11,11 @@
 
 namespace pelage::strands {
 
-struct StrandInput {
+struct StrandInput : DrawingScene {
   Scene scene;
   std::shared_ptr<const Mesh> mesh;
   Fur fur;  ///< key strands at rest, the chains that move them, and the strands between them
   ChainDynamics dynamics;
-  Camera camera;
-  Look look;
-  DepthRange range;                         ///< depth range of the sort keys
-  std::shared_ptr<const SkinSurface> skin;  ///< null: the picture has no skin
 };
 
 /// Computes the input of a picture of strands. The result depends only on the arguments and on the pictures

@@ -72,7 +72,7 @@ std::vector<StageCheck> check(const CheckRequest& request) {
   const FrameOutput reference =
       picture ? reference_output(*input, checked_frames, false) : reference_motion(*input, checked_frames);
   if (request.motion && request.wants("simulate")) {
-    const TipErrors errors = tip_errors(double(request.scene.fur.length), drawn.tips, reference.tips);
+    const Spread errors = tip_errors(double(request.scene.fur.length), drawn.tips, reference.tips);
     add("simulate", "", {check_worst_tip(errors), check_usual_tip(errors)});
   }
   // Without droplets the wetness masks of the device and of the reference are zero everywhere, so their

@@ -9,20 +9,12 @@
 #include "harness/compare/metrics.hpp"
 #include "harness/parallel.hpp"
 #include "harness/prepare/water.hpp"
-#include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
 #include "harness/system/backend_parts.hpp"
 #include "harness/system/shells/backends.hpp"
 
 namespace pelage::shells {
 namespace {
-
-std::vector<glm::vec4> mask_of(const FrameInput& input, int frames) {
-  std::vector<glm::vec4> mask;
-  for (const reference::Clump& texel : reference::wetness_mask(input, frames).texel)
-    mask.emplace_back(texel.centre.x, texel.centre.y, texel.radius, texel.wetness);
-  return mask;
-}
 
 class ShellsInOpenGl : public InOpenGl<FrameInput, OpenGlOptions> {
  public:
@@ -33,7 +25,7 @@ class ShellsInOpenGl : public InOpenGl<FrameInput, OpenGlOptions> {
     input_ = own<FrameInput>(input);
     frames_ = 0;
     prepared_ = false;
-    mask_ = mask_of(*input_, frames_before(input_->scene.dynamics) + 1);
+    mask_ = reference_mask(*input_, frames_before(input_->scene.dynamics) + 1);
     strands_ = reference::simulate(*input_, 0);
     opengl_.emplace(input_, mask_, options_);
   }
@@ -77,7 +69,7 @@ class ShellsInOpenGl : public InOpenGl<FrameInput, OpenGlOptions> {
   void simulate() override {
     advance(1);
     if (water_changes(input_->scene.wetness, input_->droplets)) {
-      mask_ = mask_of(*input_, frames_);
+      mask_ = reference_mask(*input_, frames_);
       opengl_->set_mask(mask_);
     }
     std::vector<glm::vec3> tips;

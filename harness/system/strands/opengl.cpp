@@ -29,8 +29,7 @@ class StrandsInOpenGl : public InOpenGl<StrandInput, RibbonOptions> {
     need_key_light_only(*input_);
     frames_ = 0;
     prepared_ = false;
-    ribbons_.emplace(RibbonScene{input_->camera, input_->look, input_->range, input_->dynamics.first_segment},
-                     input_->fur.strands, options_);
+    ribbons_.emplace(*input_, input_->fur.strands, options_);
   }
   void show(std::vector<KeyStrand> keys) {
     keys_ = std::move(keys);

@@ -1,5 +1,4 @@
 // Fur of single strands: the table of its backends, and the reference as one of them.
-#include "harness/cl/mapping_names.hpp"
 #include "harness/dump/dump.hpp"
 #include "harness/system/backend_parts.hpp"
 #include "harness/system/strands/backends.hpp"

@@ -141,7 +141,7 @@ TEST(Contact, MovesTheTipsOfTheReference) {
     expected.emplace_back(reference::simulate(*input, f, frames).tip);
     if (glm::distance(glm::dvec3(expected.back()), reference::simulate(*free, f, frames).tip) > 1e-3) ++moved;
   }
-  const TipErrors errors = tip_errors(double(input->scene.fur.length), shells.tips(), expected);
+  const Spread errors = tip_errors(double(input->scene.fur.length), shells.tips(), expected);
   EXPECT_TRUE(check_usual_tip(errors).holds());
   EXPECT_GT(moved, 100u);
 }

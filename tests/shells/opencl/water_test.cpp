@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "harness/compare/checks.hpp"
-#include "harness/shells/reference/mask.hpp"
+#include "harness/compare/frame_output.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -40,13 +40,6 @@ FrameInput rainy(const char* cells = "consistent") {
   scene.wetness.rate = 300;
   set_arrivals(scene.wetness, input.droplets, 0);
   return input;
-}
-
-std::vector<glm::vec4> reference_mask(const FrameInput& input, int frames) {
-  std::vector<glm::vec4> mask;
-  for (const reference::Clump& t : reference::wetness_mask(input, frames).texel)
-    mask.emplace_back(glm::vec2(t.centre), t.radius, t.wetness);
-  return mask;
 }
 
 bool same_texels(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {

@@ -28,7 +28,7 @@ using test::refusal;
 
 /// The reference's wetness mask, and its strand tips minus roots after `frames` frames.
 std::vector<glm::vec4> mask_of(const FrameInput& input) {
-  return reference_motion(input, frames).mask;
+  return reference_mask(input, frames);
 }
 std::vector<glm::vec3> tips_of(const FrameInput& input) {
   return reference_motion(input, frames).tips;

@@ -254,17 +254,13 @@ Scene scene_with(int strands) {
   return scene;
 }
 
-DrawingScene drawing_of(const StrandInput& input) {
-  return {input.camera, input.look, input.range, input.dynamics.first_segment, input.skin};
-}
-
 DevicePicture draw(const Scene& scene, const DrawerOptions& options = {}) {
   const auto input = prepare_strands(scene, torus());
-  return draw_on_device(drawing_of(*input), input->fur.strands, input->fur.keys, options);
+  return draw_on_device(*input, input->fur.strands, input->fur.keys, options);
 }
 
 void expect_agreement(const Scene& scene, const DrawerOptions& options = {}) {
-  expect_reference_picture(drawing_of(*prepare_strands(scene, torus())), draw(scene, options));
+  expect_reference_picture(*prepare_strands(scene, torus()), draw(scene, options));
 }
 
 double changed(const Picture& a, const Picture& b) {
@@ -321,10 +317,10 @@ TEST(SkinPicture, FollowsTheCamera) {
   scene.camera.framed = false;
   scene.camera.eye = {2.8f, 2.5f, 5.0f};
   const auto far = prepare_strands(scene, torus());
-  DrawingScene shown = drawing_of(*far);
+  DrawingScene shown = *far;
   shown.skin = near->skin;
   const auto far_picture = [&](bool near_first) {
-    Drawer drawer(test::queue(), near_first ? drawing_of(*near) : shown, near->fur.strands,
+    Drawer drawer(test::queue(), near_first ? DrawingScene(*near) : shown, near->fur.strands,
                   near->fur.keys.size());
     if (near_first) {
       drawn_with(drawer, near->fur.keys);

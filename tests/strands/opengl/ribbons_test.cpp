@@ -11,15 +11,15 @@
 namespace pelage::strands {
 namespace {
 
-RibbonScene scene_of(int width, int height) {
-  RibbonScene scene;
+DrawingScene scene_of(int width, int height) {
+  DrawingScene scene;
   scene.camera = camera_at(width, height);
   scene.range = depth_range(scene.camera, 1 + longest);
   scene.first_segment = 0.45f;
   return scene;
 }
 
-double psnr_of(const RibbonScene& scene, const Ball& ball, const RibbonOptions& options) {
+double psnr_of(const DrawingScene& scene, const Ball& ball, const RibbonOptions& options) {
   Ribbons ribbons(scene, ball.strands, options);
   EXPECT_GT(ribbons.frame(ball.keys), 0);
   std::vector<DrawnStrand> drawn;
@@ -40,7 +40,7 @@ TEST(Ribbons, AgreeWithTheReference) {
 }
 
 TEST(Ribbons, NothingIsDrawnOfStrandsBeyondThePicture) {
-  RibbonScene scene = scene_of(100, 80);
+  DrawingScene scene = scene_of(100, 80);
   Ball ball(20);
   for (KeyStrand& key : ball.keys) key.root += glm::vec3(50, 0, 0);
   Ribbons ribbons(scene, ball.strands);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "harness/shells/opengl/opengl.hpp"
+#include "harness/system/shells/backends.hpp"
+#include "harness/system/strands/backends.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage {
@@ -17,8 +19,8 @@ void expect_refusal(const Work& work) {
 
 TEST(OpenGlAbsent, SaysWhatToInstall) {
   expect_refusal([] { opengl_renderer(); });
-  expect_refusal([] { opengl_options(""); });
-  expect_refusal([] { OpenGl(nullptr, {}); });
+  expect_refusal([] { shells::open_opengl({}, {}); });
+  expect_refusal([] { strands::open_opengl({}, {}); });
   expect_refusal([] { shader_hash(); });
 }
 
