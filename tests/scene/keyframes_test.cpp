@@ -1,4 +1,5 @@
-// Tests keys that change over time: reading, errors, interpolation, writing and hashing.
+// Tests keys that change over time: reading, errors, interpolation, writing and hashing. Tests the motion of
+// colliders.
 #include "harness/scene/keyframes.hpp"
 
 #include <glm/geometric.hpp>
@@ -223,6 +224,18 @@ TEST(EqualExcept, ComparesBits) {
   plus.dynamics.wind.direction = {0.0f, 0.0f, 1.0f};
   minus.dynamics.wind.direction = {-0.0f, 0.0f, 1.0f};
   EXPECT_FALSE(equal_except(plus, minus, none));
+}
+
+// The reference and the devices share these functions, so a comparison of their pictures finds no error here.
+TEST(ContactMotion, StartsAtBeginMovesUniformlyAndStopsBeforeEnd) {
+  const ContactMotion motion{.velocity = {2, 0, -1}, .begin = 0.5f, .end = 3};
+  EXPECT_EQ(motion.moved({1, 2, 3}, 0.5), glm::dvec3(1, 2, 3));
+  EXPECT_EQ(motion.moved({1, 2, 3}, 2.5), glm::dvec3(5, 2, 1));
+  EXPECT_EQ(motion.moved({1, 2, 3}, 1e4 + 0.5), glm::dvec3(20001, 2, -9997));
+  EXPECT_FALSE(motion.exists(0.49));
+  EXPECT_TRUE(motion.exists(0.5));
+  EXPECT_TRUE(motion.exists(2.99));
+  EXPECT_FALSE(motion.exists(3));
 }
 
 }  // namespace

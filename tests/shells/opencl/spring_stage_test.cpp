@@ -1,8 +1,6 @@
 // Compiles the kernels' functions for Eq. 3 and 4 of paper B (Banisch and Wuethrich 2006) as C++ in double
 // precision. Compares their results with closed forms and with the reference. Tests the spring stage, which
 // simulates the masses and computes the tips, and that every stage of a frame writes only its own buffers.
-#include "harness/shells/opencl/simulate_stage.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "harness/compare/frame_output.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/opencl/raster_stage.hpp"
+#include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/springs/model/scene.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
