@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/cl/program.hpp"
+#include "harness/cl/compile.hpp"
 #include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 #include "harness/version/version.hpp"
@@ -55,6 +55,9 @@ int main(int argc, char** argv) {
   // Each line of stdout is written at once, also into a pipe. In `pelage report ... 2>&1 | less`, a message
   // on stderr therefore never interrupts a line of stdout.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  if (argc > 1 && argv[1] == cl::compile_word)
+    return cl::compile_kernels({argv + 2, static_cast<std::size_t>(argc - 2)});
+  cl::allow_processes();
   CLI::App app("Times real-time fur and grass on OpenCL devices: shells, wet fur, strands and mass-springs",
                "pelage");
   app.set_version_flag("--version", version, "Print the version and how to cite it");

@@ -105,6 +105,11 @@ std::shared_ptr<const BuiltProgram> build(const Device& device, const ProgramTex
   return built;
 }
 
+std::string key_of(const ProgramText& text, const SourceTexts& sources) {
+  return fmt::format("{}\n{}\n{}\n{}", kernel_folder().string(), text.file,
+                     options_read(text.options, sources), hash_of(hashes_of(sources)));
+}
+
 }  // namespace
 
 std::string hash_of(const std::vector<const Program*>& programs) {
@@ -113,12 +118,15 @@ std::string hash_of(const std::vector<const Program*>& programs) {
   return hash_of(all);
 }
 
+std::string build_key(const ProgramText& text) {
+  return key_of(text, source_texts(text.file));
+}
+
 std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text) {
   const SourceTexts sources = source_texts(text.file);
-  const ProgramText needed{text.file, options_read(text.options, sources)};
-  const std::string key = fmt::format("{}\n{}\n{}\n{}", kernel_folder().string(), needed.file, needed.options,
-                                      hash_of(hashes_of(sources)));
-  return device.builds().get(key, [&] { return build(device, needed, sources); });
+  return device.builds().get(key_of(text, sources), [&] {
+    return build(device, {text.file, options_read(text.options, sources)}, sources);
+  });
 }
 
 Program::Program(const Device& device, const ProgramText& text) : built_(build_program(device, text)) {}

@@ -58,6 +58,10 @@ struct BuiltProgram {
   bool by_pocl = false;
 };
 
+/// Returns a text that differs for two programs if their sources, their kernel folders or the options that
+/// the sources read differ. Throws InputError if a source file is missing.
+std::string build_key(const ProgramText& text);
+
 /// Returns the program kernels/<text.file>, built with the options -I kernels and those of `text.options`
 /// that the sources read (options_read()). Builds it unless the process has built it for this device before;
 /// if another thread is building it, waits for this thread. If the build fails, throws DeviceError with the
@@ -184,7 +188,7 @@ void copy(float (&to)[N], const V& from) {
 }
 
 // The names of two ways to draw a picture on a device. Shells and strands have both.
-inline constexpr std::string_view item_mapping = "tile";    ///< a work-item draws a tile, for CPUs
+inline constexpr std::string_view tile_mapping = "tile";    ///< a work-item draws a tile, for CPUs
 inline constexpr std::string_view group_mapping = "group";  ///< a work-group draws a tile, for GPUs
 
 /// Returns the exponent if it is an integer from 1 to 1024, for which kernels multiply, else 0.

@@ -26,7 +26,7 @@ std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<gl
 /// normal is the direction at rest of the vertex's stick (the spring from the surface to a moving mass). With
 /// Silva's strands, it is the normalized weighted mean of the triangle normals.
 std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
-  const StrandSet& strands = input.strands;
+  const FaceSprings& strands = input.strands;
   std::vector<glm::vec3> normals(input.mesh->position.size());
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const std::uint32_t point = input.mesh->weld[v];
@@ -70,7 +70,7 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
 }
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
-void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
+void write_strand_rules(Hdf5File& file, const FaceSprings& strands) {
   file.write("strand/normal", strands.normal, "1", "unit normals n of the triangles");
   file.write(
       "strand/anchor", strands.anchor, "R",

@@ -18,7 +18,7 @@ namespace pelage {
 
 /// The strands of S 3.2.1. Each triangle has one strand, which is a mass on a spring. L0 is the length of the
 /// fur.
-struct StrandSet {
+struct FaceSprings {
   std::vector<glm::vec3> root;    ///< centroid of each triangle, in units of R (the mesh radius)
   std::vector<glm::vec3> normal;  ///< unit normal of each triangle
   /// Vector from each root to the strand's tip at rest. Its length is L0, or with fur.length_map the length
@@ -124,7 +124,7 @@ struct Camera {
 struct FrameInput {
   Scene scene;
   std::shared_ptr<const Mesh> mesh;
-  StrandSet strands;
+  FaceSprings strands;
   /// For each surface point, the unit direction of its stick at rest. In a mass-spring topology, sticks
   /// replace the strands. If the scene uses no such topology, the list is empty.
   std::vector<glm::vec3> stick_normal;

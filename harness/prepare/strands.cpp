@@ -38,14 +38,14 @@ std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur, const 
 
 }  // namespace
 
-StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind, const Style& style) {
+FaceSprings make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind, const Style& style) {
   const std::size_t faces = skin.triangle.size();
   const bool combed = fur.comb != 0.0f || fur.comb_noise != 0.0f;
   const auto lean = combed ? comb_field(skin, fur, style) : std::vector<glm::dvec3>();
   const glm::dvec3 blow(wind.direction);
   const glm::dvec3 along = glm::length(blow) > 0 ? glm::normalize(blow) : glm::dvec3(0);
 
-  StrandSet set;
+  FaceSprings set;
   for (std::size_t f = 0; f < faces; ++f) {
     const glm::uvec3 t = skin.triangle[f];
     const glm::dvec3 root = (skin.position[t.x] + skin.position[t.y] + skin.position[t.z]) / 3.0;
@@ -76,7 +76,7 @@ StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& w
   return set;
 }
 
-std::vector<glm::vec3> rest_tips(const Skin& skin, const StrandSet& set) {
+std::vector<glm::vec3> rest_tips(const Skin& skin, const FaceSprings& set) {
   std::vector<glm::vec3> tips;
   tips.reserve(skin.position.size());
   for (std::size_t w = 0; w < skin.position.size(); ++w) {

@@ -11,11 +11,11 @@ namespace pelage {
 /// normalize(n + a). The key fur.comb tilts the strands towards the comb direction, and fur.comb_noise adds a
 /// smoothly varying random tilt. If both keys are 0, the vector from the root to the tip is exactly L0 n. The
 /// maps of `style` multiply L0 and fur.comb.
-StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind, const Style& style = {});
+FaceSprings make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind, const Style& style = {});
 
 /// Returns the tip of the fur at rest for each surface point. The tip is the position of the point plus a
-/// weighted mean of the vectors StrandSet::anchor of the triangles around the point.
-std::vector<glm::vec3> rest_tips(const Skin& skin, const StrandSet& strands);
+/// weighted mean of the vectors FaceSprings::anchor of the triangles around the point.
+std::vector<glm::vec3> rest_tips(const Skin& skin, const FaceSprings& strands);
 
 /// Returns, for each surface point, the tip of its stick at rest: the position of the point plus `length`
 /// times the normal at the point. In a mass-spring topology, sticks replace the strands.

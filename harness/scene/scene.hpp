@@ -105,14 +105,14 @@ struct WetnessScene {
 };
 
 inline constexpr std::array clump_scales{"relative", "literal", "distance", "converge"};
-inline constexpr std::array clump_borders{"separate", "literal", "consistent"};
+inline constexpr std::array clump_cells{"separate", "literal", "consistent"};
 inline constexpr std::array tangent_readings{"paper", "drawn", "strand", "printed"};
 
 struct ClumpScene {
   float shape = 0.0f;
   float gain = 3.5f;
   std::string scale = "converge";    ///< one of clump_scales
-  std::string cells = "consistent";  ///< rule for fragments at a clump's border, one of clump_borders
+  std::string cells = "consistent";  ///< rule for fragments at a clump's border, one of clump_cells
 };
 
 /// Soaked fur, our extension of both papers (docs/shells.md, section 11).

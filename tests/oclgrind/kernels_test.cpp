@@ -261,7 +261,7 @@ TEST(DISABLED_Tiny, Measures) {
   EXPECT_EQ(a.read(queue).back(), 3.0f);
 }
 
-TEST_F(Oclgrind, HasNothingToSayOfAnyKernel) {
+TEST_F(Oclgrind, KernelsAreClean) {
   const Findings found = findings("DISABLED_Tiny.*", "--data-races --uninitialized");
   EXPECT_EQ(found.log, "");
   EXPECT_GE(found.kernels.size(), 30u);

@@ -23,7 +23,7 @@ TEST(Strands, UprightUnlessCombed) {
   FurScene fur;
   fur.comb = 0;
   fur.comb_noise = 0;
-  const StrandSet set = make_strands(torus(), fur, {});
+  const FaceSprings set = make_strands(torus(), fur, {});
   ASSERT_EQ(set.anchor.size(), torus().triangle.size());
   for (std::size_t f = 0; f < set.anchor.size(); ++f) {
     EXPECT_EQ(set.anchor[f], fur.length * set.normal[f]);
@@ -34,7 +34,7 @@ TEST(Strands, UprightUnlessCombed) {
 TEST(Strands, CombedAnchorsHaveTheFursLengthAndStayOutside) {
   FurScene fur;
   fur.comb_noise = 0.3f;
-  const StrandSet set = make_strands(torus(), fur, {});
+  const FaceSprings set = make_strands(torus(), fur, {});
   int leaning = 0;
   for (std::size_t f = 0; f < set.anchor.size(); ++f) {
     EXPECT_NEAR(glm::length(set.anchor[f]), fur.length, 1e-6 * fur.length);
@@ -49,7 +49,7 @@ TEST(Strands, CombRunsAlongItsDirection) {
   FurScene fur;
   fur.comb_direction = {1, 0, 0};
   const Skin skin = weld(*test::two_charts());
-  const StrandSet set = make_strands(skin, fur, {});
+  const FaceSprings set = make_strands(skin, fur, {});
   for (const glm::vec3& a : set.anchor) {
     EXPECT_GT(a.x, 0.3f * fur.length);
     EXPECT_NEAR(a.z, 0.0f, 1e-6f);
@@ -59,7 +59,7 @@ TEST(Strands, CombRunsAlongItsDirection) {
 TEST(Strands, CombDoesNotJumpBetweenNeighbours) {
   FurScene fur;
   const Skin& skin = torus();
-  const StrandSet set = make_strands(skin, fur, {});
+  const FaceSprings set = make_strands(skin, fur, {});
   double worst = 0;
   for (std::size_t w = 0; w < skin.position.size(); ++w)
     for (std::uint32_t k = set.row[w] + 1; k < set.row[w + 1]; ++k) {
@@ -79,7 +79,7 @@ TEST(Strands, CombDoesNotJumpBetweenNeighbours) {
 }
 
 TEST(Strands, WeightsAreAMeanByArea) {
-  const StrandSet set = make_strands(torus(), {}, {});
+  const FaceSprings set = make_strands(torus(), {}, {});
   ASSERT_EQ(set.row.size(), torus().position.size() + 1);
   ASSERT_EQ(set.row.back(), set.face.size());
   ASSERT_EQ(set.face.size(), 3 * torus().triangle.size());
@@ -100,7 +100,7 @@ TEST(Strands, GustsTravelAlongTheWind) {
   WindScene wind;
   wind.direction = {0, 0, 3};
   wind.wavelength = 0.5f;
-  const StrandSet set = make_strands(torus(), {}, wind);
+  const FaceSprings set = make_strands(torus(), {}, wind);
   for (std::size_t f = 0; f < set.root.size(); f += 97) {
     const double phase = 2 * std::numbers::pi * double(set.root[f].z) / 0.5;
     EXPECT_NEAR(set.phase[f].x, std::cos(phase), 1e-5);

@@ -15,8 +15,8 @@ glm::dvec3 derivative(const Surface& surface, double u, double v, double du, dou
   return (surface.point(u + e * du, v + e * dv) - surface.point(u - e * du, v - e * dv)) / (2 * e);
 }
 
-StrandSet strands(const Scene& scene, const Mesh& mesh) {
-  StrandSet set;
+FaceSprings strands(const Scene& scene, const Mesh& mesh) {
+  FaceSprings set;
   std::vector<std::vector<std::pair<std::uint32_t, double>>> around(mesh.welded);
   const glm::dvec3 wind = glm::normalize(glm::dvec3(scene.dynamics.wind.direction));
   for (std::uint32_t f = 0; f < mesh.triangle.size(); ++f) {

@@ -40,7 +40,7 @@ constexpr float whole_weight = 1.0f;
 
 std::vector<Vertex> drawn_vertices(const FrameInput& input) {
   const Mesh& mesh = *input.mesh;
-  const StrandSet& strands = input.strands;
+  const FaceSprings& strands = input.strands;
   std::vector<Vertex> vertices;
   if (parts(input.scene)) {
     // No triangle shares a vertex with another triangle. With Silva's strands, a triangle has one strand, and
@@ -72,7 +72,7 @@ void lay_out_corners(const Mesh& mesh, bool separate, Geometry& g) {
 }
 
 void lay_out_strands(const FrameInput& input, Geometry& g) {
-  const StrandSet& strands = input.strands;
+  const FaceSprings& strands = input.strands;
   const std::size_t count = strands.root.size();
   g.strands = padded(count);
   g.strand_constants.assign(std::size_t(VIRTUAL_STRAND_COLUMNS) * std::size_t(g.strands), 0.0f);
@@ -97,7 +97,7 @@ void lay_out_strands(const FrameInput& input, Geometry& g) {
 
 Geometry lay_out(const FrameInput& input, int lanes) {
   const Mesh& mesh = *input.mesh;
-  const StrandSet& strands = input.strands;
+  const FaceSprings& strands = input.strands;
   const bool separate = parts(input.scene), sticks = has_springs(input.scene.dynamics);
   if (sticks && input.stick_normal.size() != mesh.welded)
     throw InputError("FrameInput::stick_normal: a mass-spring topology needs one normal per surface point");

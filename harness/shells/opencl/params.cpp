@@ -130,8 +130,8 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.mask_size = scene.wetness.size;
   p.clump_shape = scene.clump.shape;
   p.clump_gain = scene.clump.gain;
-  p.clump_reading = place_of(scene.clump.scale, clump_scales);
-  p.clump_cells = place_of(scene.clump.cells, clump_borders);
+  p.clump_scale = place_of(scene.clump.scale, clump_scales);
+  p.clump_cells = place_of(scene.clump.cells, clump_cells);
   p.film = scene.soaked.threshold < 1.0f;
   p.soaked = scene.soaked.threshold;
   p.film_height = scene.soaked.height;

@@ -53,7 +53,7 @@ class TileMapping : public Mapping {
 }  // namespace
 
 const MappingKind tile_mapping{
-    .name = cl::item_mapping,
+    .name = cl::tile_mapping,
     .what = "a work-item draws a tile, with vectors of 16 elements on PoCL's CPU devices",
     .kernel = "tile_shells",
     .one_eye_per_pixel = true,

@@ -62,7 +62,7 @@ bool faces_away(const Placed& a, const Placed& b, const Placed& c) {
 template <class OfStrand>
 glm::dvec3 Vertices::mean(std::size_t vertex, const OfStrand& of_strand) const {
   if (separate_) return glm::dvec3(of_strand(vertex / 3));
-  const StrandSet& strands = input_->strands;
+  const FaceSprings& strands = input_->strands;
   const std::uint32_t point = input_->mesh->weld[copy_[vertex]];
   glm::dvec3 sum(0.0);
   for (std::uint32_t i = strands.row[point]; i < strands.row[point + 1]; ++i)

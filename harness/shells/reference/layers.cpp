@@ -59,7 +59,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
       colliders_(input, time_after(input.scene.dynamics, frames)) {
   const bool on_sticks = has_springs(input.scene.dynamics);
   const Mesh& mesh = *input.mesh;
-  const StrandSet& strands = input.strands;
+  const FaceSprings& strands = input.strands;
   const std::size_t faces = mesh.triangle.size(), count = separate_ ? 3 * faces : mesh.position.size();
   wanted_.assign(count, 0);
   bend_.resize(count);

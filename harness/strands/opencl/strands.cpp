@@ -7,9 +7,9 @@
 namespace pelage::strands {
 Drawing drawing_named(const std::string& name) {
   if (name.empty()) return Drawing::standard;
-  if (name == cl::item_mapping) return Drawing::item;
+  if (name == cl::tile_mapping) return Drawing::item;
   if (name == cl::group_mapping) return Drawing::group;
-  throw InputError(fmt::format("mapping {}: strands have the mappings {} and {}", name, cl::item_mapping,
+  throw InputError(fmt::format("mapping {}: strands have the mappings {} and {}", name, cl::tile_mapping,
                                cl::group_mapping));
 }
 

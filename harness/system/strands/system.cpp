@@ -32,7 +32,7 @@ constexpr BackendKind backends[] = {
 constexpr std::string_view stages[] = {"chains", "strands"};
 
 std::vector<std::string> mappings_of(const cl::DeviceInfo& device) {
-  std::vector<std::string> names{std::string(cl::item_mapping), std::string(cl::group_mapping)};
+  std::vector<std::string> names{std::string(cl::tile_mapping), std::string(cl::group_mapping)};
   if (!device.cpu) std::swap(names[0], names[1]);
   return names;
 }

@@ -36,7 +36,7 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
   c.b = column3(tip, 0, s->vertices, block);
   c.u = column3(vertex, CURL_UX, s->vertices, block);
   c.v = column3(vertex, CURL_VX, s->vertices, block);
-  c.dry = load_real(dry, block);
+  c.curl_share = load_real(dry, block);
 #if TURNS_MAP
   c.turn = load_real(table + s->turn_points, block);
 #endif

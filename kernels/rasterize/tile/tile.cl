@@ -51,7 +51,7 @@ CALLED int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
       if (clipped[lane]) {               // all lanes set up the same triangle of the fan
         for (int c = 0; c < 3; ++c) now.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
         for (int c = 0; c < 3; ++c) now.vertex[c] = WHOLE(c);
-        now.dry = false;
+        now.is_dry = false;
       }
       Setup t = set_up(now.corner[0], now.corner[1], now.corner[2], place->width, place->height);
       if (!clipped[lane]) t.live = t.live && !outside;

@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Full, TilesAndGroups,
 // with a picture for which every triangle is drawn in all layers (REACH = 0).
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling", 160)})
-    for (const char* cells : clump_borders)
+    for (const char* cells : clump_cells)
       for (const char* scale : clump_scales) {
         const auto input = std::make_shared<FrameInput>(*frame);
         input->scene.clump.cells = cells;

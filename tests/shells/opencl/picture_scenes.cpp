@@ -61,7 +61,7 @@ FrameInput flat_frame(const Flat& flat) {
   }
   mesh.triangle = flat.triangle;
   const glm::vec3 up(0, 0, 1);
-  StrandSet& strands = input.strands;
+  FaceSprings& strands = input.strands;
   std::vector<std::vector<std::uint32_t>> around(mesh.welded);
   for (std::uint32_t f = 0; f < mesh.triangle.size(); ++f) {
     strands.root.push_back((mesh.position[mesh.triangle[f].x] + mesh.position[mesh.triangle[f].y] +
