@@ -1,8 +1,7 @@
 #include "harness/cl/builds.hpp"
 
-#include <algorithm>
 #include <exception>
-#include <system_error>
+#include <utility>
 
 #include "harness/cl/compile.hpp"
 #include "harness/error.hpp"
@@ -46,56 +45,41 @@ void Builds::release(const std::string& key) {
   released_.notify_all();
 }
 
-BuildAhead::BuildAhead(const Device& device, const std::vector<ProgramText>& texts) : device_(device) {
-  for (const ProgramText& text : texts) {
+BuildAhead::BuildAhead(const Device& device, std::vector<ProgramText> texts) {
+  std::vector<std::string> keys;
+  std::erase_if(texts, [&](const ProgramText& text) {
     try {
-      texts_.emplace_back(text, build_key(text));
-      device_.builds().hold(texts_.back().second);
+      keys.push_back(build_key(text));
+      return false;
     } catch (const InputError&) {  // the Program that needs the text meets the same error
+      return true;
     }
-  }
-  const std::size_t count =
-      std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), texts_.size());
-  try {
-    while (threads_.size() < count) threads_.emplace_back([this] { work(); });
-  } catch (const std::system_error&) {  // the system permits no further thread
-    if (threads_.empty()) stop();
-  }
+  });
+  for (const std::string& key : keys) device.builds().hold(key);
+  thread_ = std::thread([this, device, texts = std::move(texts), keys = std::move(keys)] {
+    try {
+      compile_elsewhere(device, texts);
+    } catch (const std::exception&) {  // this process compiles the kernels
+    }
+    for (const std::string& key : keys) device.builds().release(key);
+    for (const ProgramText& text : texts) {
+      if (stop_) return;
+      try {
+        build_program(device, text);
+      } catch (const std::exception&) {  // the Program that needs the text meets the same error
+      }
+    }
+  });
 #if defined(__SANITIZE_ADDRESS__)
   // isolated() calls fork(). If another thread allocates memory at that moment, GCC 12's AddressSanitizer
   // leaves its allocator locked in the child process, and the child process waits for ever. glibc does not.
-  join();
+  thread_.join();
 #endif
 }
 
-void BuildAhead::work() {
-  for (std::size_t i = 0; (i = next_++) < texts_.size();) {
-    const auto& [text, key] = texts_[i];
-    try {
-      compile_elsewhere(device_, text, key);
-    } catch (const std::exception&) {  // this process compiles the kernels
-    }
-    device_.builds().release(key);
-    try {
-      build_program(device_, text);
-    } catch (const std::exception&) {  // the Program that needs the text meets the same error
-    }
-  }
-}
-
-void BuildAhead::stop() {
-  const std::size_t begun = std::min(next_.exchange(texts_.size()), texts_.size());
-  for (std::size_t i = begun; i < texts_.size(); ++i) device_.builds().release(texts_[i].second);
-}
-
 BuildAhead::~BuildAhead() {
-  stop();
-  join();
-}
-
-void BuildAhead::join() {
-  for (std::thread& thread : threads_)
-    if (thread.joinable()) thread.join();
+  stop_ = true;
+  if (thread_.joinable()) thread_.join();
 }
 
 }  // namespace pelage::cl

@@ -1,4 +1,4 @@
-// The programs that were built for a device, so that each is built once in a process, and builds on threads
+// The programs that were built for a device, so that each is built once in a process, and builds on a thread
 // of their own, while the caller prepares the data for the programs. PoCL needs about 25 ms to preprocess a
 // program, even if its cache has the compiled kernels.
 #pragma once
@@ -12,7 +12,6 @@
 #include <set>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "harness/cl/program.hpp"
@@ -38,27 +37,21 @@ class Builds {
   std::map<std::string, std::shared_future<Build>> builds_;
 };
 
-/// Builds a list of programs. If allow_processes() was called, other processes compile the kernels of several
-/// programs at once first (harness/cl/compile.hpp). A Program with a listed text on the same device uses the
+/// Builds a list of programs. If allow_processes() was called, other processes compile the programs and
+/// their kernels first (harness/cl/compile.hpp). A Program with a listed text on the same device uses the
 /// build of this object, or waits for it. A build that fails is left to the Program that needs it, whose
 /// constructor throws the error.
 class BuildAhead {
  public:
   /// Starts to build the programs in the order of the list.
-  BuildAhead(const Device& device, const std::vector<ProgramText>& texts);
-  ~BuildAhead();  ///< waits for the builds that are running; starts no other
+  BuildAhead(const Device& device, std::vector<ProgramText> texts);
+  ~BuildAhead();  ///< waits for the processes or the build that is running; starts no other
   BuildAhead(const BuildAhead&) = delete;
   BuildAhead& operator=(const BuildAhead&) = delete;
 
  private:
-  void work();
-  void stop();  ///< no thread begins another text
-  void join();
-
-  Device device_;
-  std::vector<std::pair<ProgramText, std::string>> texts_;  ///< with their keys
-  std::atomic<std::size_t> next_ = 0;                       ///< the first text that no thread has begun
-  std::vector<std::thread> threads_;
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
 };
 
 }  // namespace pelage::cl

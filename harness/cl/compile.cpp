@@ -1,17 +1,21 @@
 #include "harness/cl/compile.hpp"
 
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <vector>
+#include <future>
+#include <string>
+#include <system_error>
+#include <thread>
 
 #include "harness/cl/kernel_cache.hpp"
 #include "harness/hash.hpp"
@@ -23,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::atomic<bool> allowed = false;
+constexpr unsigned limit_s = 60;  // for the build of a program, and for a kernel
 
 // Without a build option, which would make it another program, PoCL does not tell what a parameter is. It
 // accepts a number only with the size of the parameter, and a struct with any size.
@@ -46,6 +51,7 @@ void compile_all(const Device& device, const BuiltProgram& built) {
   const std::vector<char> zeros(std::size_t(1) << 20);
   Memory memory(device, zeros.size());
   for (const cl_kernel kernel : kernels) {
+    ::alarm(limit_s);
     // A kernel may write counts, with which the next kernel would leave the memory.
     memory.write(queue, zeros.data(), zeros.size());
     std::array<std::size_t, 3> required{};
@@ -62,31 +68,42 @@ void compile_all(const Device& device, const BuiltProgram& built) {
   }
 }
 
+// The file that says that a process has begun with the program.
+fs::path note_of(const fs::path& cache, const DeviceInfo& device, const ProgramText& text) {
+  return cache / ("pelage-" + Hash().text(device.name).text(device.driver).text(build_key(text)).hex());
+}
+
 }  // namespace
 
 void allow_processes() {
   allowed = true;
 }
 
-void compile_elsewhere(const Device& device, const ProgramText& text, const std::string& key) {
+void compile_elsewhere(const Device& device, const std::vector<ProgramText>& texts) {
   const DeviceInfo& info = device.info();
   const fs::path cache = kernel_cache();
   if (!allowed || !info.cpu || info.platform.find("Portable Computing Language") == std::string::npos ||
       cache.empty())
     return;
-  const fs::path note = cache / ("pelage-" + Hash().text(info.name).text(info.driver).text(key).hex());
   std::error_code failed;
-  if (fs::exists(note, failed)) return;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  const ProgramOutcome outcome = run_program({program.string(), std::string(compile_word), info.spec(),
-                                              kernel_folder().string(), text.file, text.options});
-  std::ofstream(note) << outcome.code << '\n';
+  std::vector<std::string> words{fs::read_symlink("/proc/self/exe", failed).string(),
+                                 std::string(compile_word), info.spec(), kernel_folder().string()};
+  std::size_t count = 0;
+  for (const ProgramText& text : texts) {
+    if (fs::exists(note_of(cache, info, text), failed)) continue;
+    words.insert(words.end(), {text.file, text.options});
+    ++count;
+  }
+  count = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<std::future<ProgramOutcome>> processes;
+  while (processes.size() < count)
+    processes.push_back(std::async(std::launch::async, [&] { return run_program(words); }));
+  for (std::future<ProgramOutcome>& process : processes) process.wait();
 }
 
 int compile_kernels(std::span<char* const> words) {
-  if (words.size() != 4) return 2;
+  if (words.size() < 2) return 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ::alarm(120);
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   // Before this process began, pelage set 1, with which the threads of all processes would share cores.
@@ -94,7 +111,15 @@ int compile_kernels(std::span<char* const> words) {
   try {
     const Device device = choose_device(words[0]);
     set_kernel_folder(words[1]);
-    compile_all(device, *build_program(device, {words[2], words[3]}));
+    for (std::size_t i = 2; i + 1 < words.size(); i += 2) {
+      const ProgramText text{words[i], words[i + 1]};
+      const fs::path note = note_of(kernel_cache(), device.info(), text);
+      const int file = ::open(note.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+      if (file < 0) continue;  // another process has begun with it
+      ::close(file);
+      ::alarm(limit_s);
+      compile_all(device, *build_program(device, text));
+    }
     return 0;
   } catch (const std::exception&) {
     return 1;

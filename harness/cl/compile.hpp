@@ -1,9 +1,9 @@
-// Compiles the kernels of a program in another process. PoCL compiles one kernel of a process at a time, but
+// Compiles the kernels of programs in other processes. PoCL compiles one kernel of a process at a time, but
 // several processes that share its folder of compiled kernels compile in parallel.
 #pragma once
 #include <span>
-#include <string>
 #include <string_view>
+#include <vector>
 
 #include "harness/cl/program.hpp"
 
@@ -16,15 +16,16 @@ inline constexpr std::string_view compile_word = "compile-kernels";
 /// compile_kernels() if the first argument is `compile_word`.
 void allow_processes();
 
-/// Starts a process that compiles the program and its kernels into kernel_cache(), and waits for its end.
-/// Starts no process if allow_processes() was not called, if the device is not a CPU device of PoCL, or if a
-/// process with the same `key` (build_key()) has ended before. A file "pelage-HASH" in kernel_cache() records
-/// the end. A process that fails prints nothing: the caller meets the error when it builds the program.
-void compile_elsewhere(const Device& device, const ProgramText& text, const std::string& key);
+/// Starts up to one process per core, which compile the programs and their kernels into kernel_cache(), and
+/// waits for their end. Starts no process if allow_processes() was not called or if the device is not a CPU
+/// device of PoCL. A file "pelage-HASH" in kernel_cache() says that a process has begun with a program; no
+/// process begins with it again. Failures are not reported: the caller meets them when it builds the program.
+void compile_elsewhere(const Device& device, const std::vector<ProgramText>& texts);
 
-/// The work of the process: builds the program and launches each of its kernels over one work-group, with
-/// numbers and memory of zeros, because PoCL compiles a kernel at its launch. `words`: the arguments after
-/// `compile_word`. Returns the exit code of the process. A process that takes more than 120 s is killed.
+/// The work of a process: builds the programs with which no other process has begun, and launches each of
+/// their kernels over one work-group, with numbers and memory of zeros, because PoCL compiles a kernel at its
+/// launch. `words`: the arguments after `compile_word`. Returns the exit code of the process. A process that
+/// takes more than 60 s for the build of a program or for a kernel is killed.
 int compile_kernels(std::span<char* const> words);
 
 }  // namespace pelage::cl

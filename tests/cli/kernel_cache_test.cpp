@@ -30,6 +30,33 @@ TEST_F(KernelCache, DamagedAndEmptyFilesLeadToTheAdviceToDeleteTheFolder) {
   }
 }
 
+// PoCL reports each kernel that the process itself compiles.
+TEST_F(KernelCache, OtherProcessesCompileAllKernelsOfAFirstPicture) {
+  const std::string message = "Linking final module";
+  for (const std::string options : {"", " --pipeline strands --set strands.count=50"}) {
+    const fs::path cache = folder.path / "kept";
+    const std::string with = "POCL_DEBUG=all POCL_CACHE_DIR='" + cache.string() + "'";
+    expect_lacks(done(render + options, with).err, message);
+    const std::string picture = folder.read("a.png");
+    const std::vector<fs::path> kernels = test::files_below(cache, ".so");
+    ASSERT_FALSE(kernels.empty());
+    for (const fs::path& kernel : kernels) fs::remove(kernel);
+    expect_has(done(render + options, with).err, message);  // nothing starts a process twice for a program
+    EXPECT_EQ(folder.read("a.png"), picture);
+    fs::remove_all(cache);
+  }
+}
+
+// The processes print nothing. The path has a space, at which drivers split options.
+TEST_F(KernelCache, AProgramThatDoesNotBuildIsReportedByTheCommand) {
+  fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "own kernels", fs::copy_options::recursive);
+  folder.write("own kernels/simulate/simulate.cl", "this is no kernel\n");
+  const Outcome outcome =
+      pelage("--kernels 'own kernels' " + render, "POCL_CACHE_DIR='" + (folder.path / "kept").string() + "'");
+  EXPECT_EQ(outcome.code, 1);
+  expect_has(outcome.err, "simulate/simulate.cl does not build");
+}
+
 // PoCL aborts if POCL_CACHE_DIR is set but empty.
 TEST_F(KernelCache, AnEmptyVariableIsNoFolder) {
   done("devices", "POCL_CACHE_DIR= XDG_CACHE_HOME='" + folder.path.string() + "'");
