@@ -214,7 +214,7 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   }
   file.write(
       "layer/offset", {layers, geometry.slots()}, offset, "R",
-      "displacement B + phi of each vertex of each layer, or of each corner of a triangle if the layers of neighbouring triangles are not connected; from the reference's motion of the strands");
+      "displacement B + phi of each vertex of each layer, or of each corner of a triangle if the layers of neighbouring triangles are not connected; by the reference, with sticks from `strand/offset`");
 }
 
 /// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh

@@ -1,4 +1,4 @@
-// An experiment file (experiments/*.toml) and its cases. The file format is described in docs/results.md.
+// An experiment file (experiments/*.toml) and its cases. docs/experiments.md describes the file format.
 #pragma once
 #include <filesystem>
 #include <map>

@@ -40,6 +40,11 @@ struct StrandLayerScene {
   std::filesystem::path film;
   float order_bias = 0.0f;  ///< added to the layer's view depth when layers are sorted, R
   int order_offset = 0;     ///< number of places by which the layer moves back in the sorted layers
+
+  /// True if the strands bend, turn or respond in a way of their own.
+  bool is_styled() const {
+    return response != 1 || twist != 0 || twist_spread != 0 || curvature != 0 || curvature_spread != 0;
+  }
 };
 
 /// A fill light of strands. All fill lights are projected to spherical harmonics.

@@ -50,10 +50,8 @@ PictureKinds expected_kinds(const Scene& scene) {
   const std::vector<StrandLayerScene>& layers = scene.strands.layers;
   const bool film =
       std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) { return !l.film.empty(); });
-  const bool styles = std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) {
-    return l.response != 1 || l.twist != 0 || l.twist_spread != 0 || l.curvature != 0 ||
-           l.curvature_spread != 0;
-  });
+  const bool styles =
+      std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) { return l.is_styled(); });
   return {film || has_lights(look_of(scene)), styles, shadow_named(scene.strands.shadow)};
 }
 

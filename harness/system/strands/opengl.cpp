@@ -11,12 +11,19 @@
 namespace pelage::strands {
 namespace {
 
-void need_key_light_only(const StrandInput& input) {
+void need_what_is_drawn(const StrandInput& input) {
   const StrandsScene& s = input.scene.strands;
   if (!input.look.fills.empty() || s.rim != glm::vec3(0) || s.skin_shadow != 0 || s.shadow != "none" ||
       s.skin)
     throw CannotDraw(
         "the OpenGL baseline draws strands with a key light and ambient light only: give one [[shading.light]], and set strands.skin_shadow = 0, strands.rim = [0, 0, 0], strands.shadow = \"none\", strands.skin = false");
+  if (input.look.fraction < 1)
+    throw CannotDraw(
+        "the OpenGL baseline draws all strands: set strands.fraction = 1, strands.least_width = 0");
+  for (const StrandLayerScene& layer : s.layers)
+    if (layer.is_styled() || !layer.film.empty())
+      throw CannotDraw(
+          "the OpenGL baseline draws plain strands: set response = 1, twist = 0, twist_spread = 0, curvature = 0, curvature_spread = 0 and no film in each layer of [strands]");
 }
 
 class StrandsInOpenGl : public InOpenGl<StrandInput, RibbonOptions> {
@@ -26,7 +33,7 @@ class StrandsInOpenGl : public InOpenGl<StrandInput, RibbonOptions> {
   void load(const SystemInput& input) override {
     ribbons_.reset();
     input_ = own<StrandInput>(input);
-    need_key_light_only(*input_);
+    need_what_is_drawn(*input_);
     frames_ = 0;
     prepared_ = false;
     ribbons_.emplace(*input_, input_->fur.strands, options_);
