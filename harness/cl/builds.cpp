@@ -1,9 +1,9 @@
 #include "harness/cl/builds.hpp"
 
 #include <exception>
+#include <system_error>
 #include <utility>
 
-#include "harness/cl/compile.hpp"
 #include "harness/error.hpp"
 
 namespace pelage::cl {
@@ -55,12 +55,10 @@ BuildAhead::BuildAhead(const Device& device, std::vector<ProgramText> texts) {
       return true;
     }
   });
+  processes_.emplace(device, texts);
   for (const std::string& key : keys) device.builds().hold(key);
-  thread_ = std::thread([this, device, texts = std::move(texts), keys = std::move(keys)] {
-    try {
-      compile_elsewhere(device, texts);
-    } catch (const std::exception&) {  // this process compiles the kernels
-    }
+  const auto work = [this, device, texts, keys] {
+    processes_->wait();
     for (const std::string& key : keys) device.builds().release(key);
     for (const ProgramText& text : texts) {
       if (stop_) return;
@@ -69,7 +67,13 @@ BuildAhead::BuildAhead(const Device& device, std::vector<ProgramText> texts) {
       } catch (const std::exception&) {  // the Program that needs the text meets the same error
       }
     }
-  });
+  };
+  try {
+    thread_ = std::thread(work);
+  } catch (const std::system_error&) {  // the system permits no further thread
+    work();
+    return;
+  }
 #if defined(__SANITIZE_ADDRESS__)
   // isolated() calls fork(). If another thread allocates memory at that moment, GCC 12's AddressSanitizer
   // leaves its allocator locked in the child process, and the child process waits for ever. glibc does not.
@@ -79,6 +83,7 @@ BuildAhead::BuildAhead(const Device& device, std::vector<ProgramText> texts) {
 
 BuildAhead::~BuildAhead() {
   stop_ = true;
+  processes_->stop();
   if (thread_.joinable()) thread_.join();
 }
 

@@ -9,12 +9,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "harness/cl/program.hpp"
+#include "harness/cl/compile.hpp"
 
 namespace pelage::cl {
 
@@ -37,20 +38,20 @@ class Builds {
   std::map<std::string, std::shared_future<Build>> builds_;
 };
 
-/// Builds a list of programs. If allow_processes() was called, other processes compile the programs and
-/// their kernels first (harness/cl/compile.hpp). A Program with a listed text on the same device uses the
-/// build of this object, or waits for it. A build that fails is left to the Program that needs it, whose
-/// constructor throws the error.
+/// Builds a list of programs. CompileProcesses compile their kernels first. A Program with a listed text on
+/// the same device uses the build of this object, or waits for it. A build that fails is left to the Program
+/// that needs it, whose constructor throws the error.
 class BuildAhead {
  public:
   /// Starts to build the programs in the order of the list.
   BuildAhead(const Device& device, std::vector<ProgramText> texts);
-  ~BuildAhead();  ///< waits for the processes or the build that is running; starts no other
+  ~BuildAhead();  ///< stops the processes, and waits for the build that is running
   BuildAhead(const BuildAhead&) = delete;
   BuildAhead& operator=(const BuildAhead&) = delete;
 
  private:
   std::atomic<bool> stop_ = false;
+  std::optional<CompileProcesses> processes_;
   std::thread thread_;
 };
 

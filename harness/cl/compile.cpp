@@ -1,25 +1,27 @@
 #include "harness/cl/compile.hpp"
 
 #include <fcntl.h>
+#include <sched.h>
+#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
-#include <future>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <system_error>
-#include <thread>
 
 #include "harness/cl/kernel_cache.hpp"
 #include "harness/hash.hpp"
-#include "harness/isolated/isolated.hpp"
 
 namespace pelage::cl {
 namespace {
@@ -29,48 +31,50 @@ namespace fs = std::filesystem;
 std::atomic<bool> allowed = false;
 constexpr unsigned limit_s = 60;  // for the build of a program, and for a kernel
 
-// Without a build option, which would make it another program, PoCL does not tell what a parameter is. It
-// accepts a number only with the size of the parameter, and a struct with any size.
-void set_argument(cl_kernel kernel, cl_uint index, const Memory& memory) {
-  static constexpr std::array<char, 4096> zeros{};
-  constexpr std::size_t local_bytes = std::size_t(1) << 14;
-  if (clSetKernelArg(kernel, index, local_bytes, nullptr) == CL_SUCCESS) return;
-  for (std::size_t bytes = zeros.size(); bytes > 0; --bytes)
-    if (bytes != sizeof(cl_mem) && clSetKernelArg(kernel, index, bytes, zeros.data()) == CL_SUCCESS) return;
-  const cl_mem object = memory.get();  // no kernel has a number of this size
-  clSetKernelArg(kernel, index, sizeof object, static_cast<const void*>(&object));
-}
-
-void compile_all(const Device& device, const BuiltProgram& built) {
-  cl_uint count = 0;
-  check(clCreateKernelsInProgram(built.program.get(), 0, nullptr, &count), "clCreateKernelsInProgram");
-  std::vector<cl_kernel> kernels(count);
-  check(clCreateKernelsInProgram(built.program.get(), count, kernels.data(), nullptr),
-        "clCreateKernelsInProgram");
+void compile_all(const Device& device, const ProgramText& text) {
+  const Program program(device, text);
+  std::string names(std::size_t(1) << 14, '\0');  // separated by semicolons
+  check(clGetProgramInfo(program.get(), CL_PROGRAM_KERNEL_NAMES, names.size(), names.data(), nullptr),
+        "clGetProgramInfo");
+  std::istringstream list(names.c_str());
   const Queue queue(device);
   const std::vector<char> zeros(std::size_t(1) << 20);
   Memory memory(device, zeros.size());
-  for (const cl_kernel kernel : kernels) {
+  for (std::string name; std::getline(list, name, ';');) {
     ::alarm(limit_s);
     // A kernel may write counts, with which the next kernel would leave the memory.
     memory.write(queue, zeros.data(), zeros.size());
-    std::array<std::size_t, 3> required{};
-    check(clGetKernelWorkGroupInfo(kernel, device.id(), CL_KERNEL_COMPILE_WORK_GROUP_SIZE, sizeof required,
-                                   required.data(), nullptr),
-          "clGetKernelWorkGroupInfo");
-    const std::size_t group = required[0] > 0 ? required[0] : usual_group(device.info());
-    cl_uint arguments = 0;
-    check(clGetKernelInfo(kernel, CL_KERNEL_NUM_ARGS, sizeof arguments, &arguments, nullptr),
-          "clGetKernelInfo");
-    for (cl_uint i = 0; i < arguments; ++i) set_argument(kernel, i, memory);
-    clEnqueueNDRangeKernel(queue.get(), kernel, 1, nullptr, &group, &group, 0, nullptr, nullptr);
+    Kernel(program, name).with_zeros(memory).enqueue(queue, 1);
     queue.finish();
   }
 }
 
-// The file that says that a process has begun with the program.
-fs::path note_of(const fs::path& cache, const DeviceInfo& device, const ProgramText& text) {
-  return cache / ("pelage-" + Hash().text(device.name).text(device.driver).text(build_key(text)).hex());
+int cores() {
+  cpu_set_t set;
+  return ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
+
+bool can_compile(const DeviceInfo& device, const fs::path& cache) {
+  // In a path with a space, each build has an include folder of its own (IncludePath in program.cpp), so PoCL
+  // would not find what another process compiled.
+  return allowed && device.cpu && device.platform.find("Portable Computing Language") != std::string::npos &&
+         !cache.empty() && kernel_cache_fault(cache).empty() && environment("POCL_KERNEL_CACHE") != "0" &&
+         kernel_folder().string().find(' ') == std::string::npos;
+}
+
+pid_t start(std::vector<std::string> words, int input) {
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  for (const int output : {STDOUT_FILENO, STDERR_FILENO})
+    ::posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t process = -1;
+  const int failed = ::posix_spawn(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return failed ? -1 : process;
 }
 
 }  // namespace
@@ -79,31 +83,58 @@ void allow_processes() {
   allowed = true;
 }
 
-void compile_elsewhere(const Device& device, const std::vector<ProgramText>& texts) {
+CompileProcesses::CompileProcesses(const Device& device, const std::vector<ProgramText>& texts) {
   const DeviceInfo& info = device.info();
   const fs::path cache = kernel_cache();
-  if (!allowed || !info.cpu || info.platform.find("Portable Computing Language") == std::string::npos ||
-      cache.empty())
-    return;
+  if (!can_compile(info, cache)) return;
   std::error_code failed;
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe", failed).string(),
                                  std::string(compile_word), info.spec(), kernel_folder().string()};
-  std::size_t count = 0;
+  std::string queue;
   for (const ProgramText& text : texts) {
-    if (fs::exists(note_of(cache, info, text), failed)) continue;
+    const Hash hash = Hash().text(info.name).text(info.driver).text(build_key(text));
+    const fs::path note = cache / ("pelage-" + hash.hex());
+    if (fs::exists(note, failed)) continue;
+    queue += char(notes_.size());
+    notes_.push_back(note);
     words.insert(words.end(), {text.file, text.options});
-    ++count;
   }
-  count = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::future<ProgramOutcome>> processes;
-  while (processes.size() < count)
-    processes.push_back(std::async(std::launch::async, [&] { return run_program(words); }));
-  for (std::future<ProgramOutcome>& process : processes) process.wait();
+  const std::size_t count = std::min<std::size_t>(queue.size(), std::size_t(cores()));
+  std::array<int, 2> ends{};
+  if (count < 2 || queue.size() > 127 || ::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+  if (::write(ends[1], queue.data(), queue.size()) == ssize_t(queue.size()))
+    for (std::size_t i = 0; i < count; ++i)
+      if (const pid_t process = start(words, ends[0]); process > 0) processes_.push_back(process);
+  for (const int end : ends) ::close(end);
+}
+
+CompileProcesses::~CompileProcesses() {
+  stop();
+  wait();
+}
+
+void CompileProcesses::wait() {
+  // A process that has ended keeps its id until it is reaped, so stop() kills no other process.
+  siginfo_t ended;
+  for (const pid_t process : processes_)
+    while (::waitid(P_PID, id_t(process), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) continue;
+  const std::lock_guard guard(lock_);
+  for (const pid_t process : processes_) ::waitpid(process, nullptr, 0);
+  if (!processes_.empty() && !stopped_)
+    for (const fs::path& note : notes_) std::ofstream(note).put('\n');
+  processes_.clear();
+}
+
+void CompileProcesses::stop() {
+  const std::lock_guard guard(lock_);
+  stopped_ = true;
+  for (const pid_t process : processes_) ::kill(process, SIGKILL);
 }
 
 int compile_kernels(std::span<char* const> words) {
   if (words.size() < 2) return 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGALRM, SIG_DFL);
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   // Before this process began, pelage set 1, with which the threads of all processes would share cores.
@@ -111,14 +142,13 @@ int compile_kernels(std::span<char* const> words) {
   try {
     const Device device = choose_device(words[0]);
     set_kernel_folder(words[1]);
-    for (std::size_t i = 2; i + 1 < words.size(); i += 2) {
-      const ProgramText text{words[i], words[i + 1]};
-      const fs::path note = note_of(kernel_cache(), device.info(), text);
-      const int file = ::open(note.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-      if (file < 0) continue;  // another process has begun with it
-      ::close(file);
+    const std::span<char* const> texts = words.subspan(2);
+    char index = 0;
+    while (::read(STDIN_FILENO, &index, 1) == 1) {
+      const std::size_t at = 2 * std::size_t(index);
+      if (at + 1 >= texts.size()) return 2;
       ::alarm(limit_s);
-      compile_all(device, *build_program(device, text));
+      compile_all(device, {texts[at], texts[at + 1]});
     }
     return 0;
   } catch (const std::exception&) {

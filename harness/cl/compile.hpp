@@ -1,6 +1,10 @@
 // Compiles the kernels of programs in other processes. PoCL compiles one kernel of a process at a time, but
 // several processes that share its folder of compiled kernels compile in parallel.
 #pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <mutex>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -9,23 +13,38 @@
 
 namespace pelage::cl {
 
-/// The first argument of a process that compile_elsewhere() starts.
+/// The first argument of a process that a CompileProcesses starts.
 inline constexpr std::string_view compile_word = "compile-kernels";
 
-/// Permits compile_elsewhere() to start this program again. The program must then pass its arguments to
+/// Permits CompileProcesses to start this program again. The program must then pass its arguments to
 /// compile_kernels() if the first argument is `compile_word`.
 void allow_processes();
 
-/// Starts up to one process per core, which compile the programs and their kernels into kernel_cache(), and
-/// waits for their end. Starts no process if allow_processes() was not called or if the device is not a CPU
-/// device of PoCL. A file "pelage-HASH" in kernel_cache() says that a process has begun with a program; no
-/// process begins with it again. Failures are not reported: the caller meets them when it builds the program.
-void compile_elsewhere(const Device& device, const std::vector<ProgramText>& texts);
+/// Processes that compile programs and their kernels into kernel_cache(). They print nothing and report no
+/// failures: the caller meets these when it builds the programs.
+class CompileProcesses {
+ public:
+  /// Starts one process per core or per program, whichever is fewer. Starts none if there would be only one,
+  /// if allow_processes() was not called, or if the device is not a CPU device of PoCL with a usable cache.
+  /// Leaves out programs that earlier processes compiled: files "pelage-HASH" in the cache record these.
+  CompileProcesses(const Device& device, const std::vector<ProgramText>& texts);
+  ~CompileProcesses();  ///< calls stop() and wait()
+  CompileProcesses(const CompileProcesses&) = delete;
+  CompileProcesses& operator=(const CompileProcesses&) = delete;
+  void wait();  ///< waits until all processes have ended
+  void stop();  ///< kills the processes; another thread may call it during wait()
 
-/// The work of a process: builds the programs with which no other process has begun, and launches each of
-/// their kernels over one work-group, with numbers and memory of zeros, because PoCL compiles a kernel at its
-/// launch. `words`: the arguments after `compile_word`. Returns the exit code of the process. A process that
-/// takes more than 60 s for the build of a program or for a kernel is killed.
+ private:
+  std::mutex lock_;
+  std::vector<pid_t> processes_;
+  std::vector<std::filesystem::path> notes_;
+  bool stopped_ = false;
+};
+
+/// The work of a process: builds programs and launches each of their kernels over one work-group, with
+/// numbers and memory of zeros, because PoCL compiles a kernel at its launch. `words`: the arguments after
+/// `compile_word`. Each byte on stdin is the index of a program among them. Returns the exit code of the
+/// process. If a build or a kernel takes more than 60 s, the process is killed.
 int compile_kernels(std::span<char* const> words);
 
 }  // namespace pelage::cl

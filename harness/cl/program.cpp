@@ -167,6 +167,22 @@ void Kernel::set_bytes(cl_uint index, std::size_t bytes, const void* value) {
         fmt::format("clSetKernelArg {} of {}", index, name_));
 }
 
+Kernel& Kernel::with_zeros(const Memory& memory) {
+  static constexpr std::array<char, 4096> zeros{};
+  constexpr std::size_t local_bytes = std::size_t(1) << 14;
+  cl_uint count = 0;
+  check(clGetKernelInfo(kernel_.get(), CL_KERNEL_NUM_ARGS, sizeof count, &count, nullptr), "clGetKernelInfo");
+  for (cl_uint i = 0; i < count; ++i) {
+    // Without a build option, which would make it another program, PoCL does not tell what a parameter is. It
+    // accepts a number only with the size of the parameter, and a struct with any size.
+    bool done = clSetKernelArg(kernel_.get(), i, local_bytes, nullptr) == CL_SUCCESS;
+    for (std::size_t bytes = zeros.size(); !done && bytes > 0; --bytes)
+      done = bytes != sizeof(cl_mem) && clSetKernelArg(kernel_.get(), i, bytes, zeros.data()) == CL_SUCCESS;
+    if (!done) set_memory(i, memory.get());
+  }
+  return *this;
+}
+
 const Kernel::Groups& Kernel::groups(const Queue& queue) const {
   if (groups_.most > 0) return groups_;
   const auto ask = [&](cl_kernel_work_group_info what, void* value, std::size_t bytes) {

@@ -133,6 +133,9 @@ class Kernel {
     (set(index++, values), ...);
     return *this;
   }
+  /// Sets all numbers to 0 and all pointers to `memory`, for a launch that only compiles the kernel. No
+  /// kernel may have a number of the size of a cl_mem.
+  Kernel& with_zeros(const Memory& memory);
   /// Enqueues the kernel over at least `items` work-items, in work-groups of `group` work-items. The number
   /// of work-items is rounded up to a multiple of the group size, so the kernel must ignore the work-items
   /// from `items` on. If `group` is 0, the size is the one that the kernel requires (reqd_work_group_size),

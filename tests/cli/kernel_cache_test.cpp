@@ -33,15 +33,16 @@ TEST_F(KernelCache, DamagedAndEmptyFilesLeadToTheAdviceToDeleteTheFolder) {
 // PoCL reports each kernel that the process itself compiles.
 TEST_F(KernelCache, OtherProcessesCompileAllKernelsOfAFirstPicture) {
   const std::string message = "Linking final module";
-  for (const std::string options : {"", " --pipeline strands --set strands.count=50"}) {
+  folder.write("few.toml", "pipeline = \"strands\"\n[[strands.layer]]\ncount = 50\n");
+  for (const std::string scene : {"", " few.toml"}) {
     const fs::path cache = folder.path / "kept";
     const std::string with = "POCL_DEBUG=all POCL_CACHE_DIR='" + cache.string() + "'";
-    expect_lacks(done(render + options, with).err, message);
+    expect_lacks(done(render + scene, with).err, message);
     const std::string picture = folder.read("a.png");
     const std::vector<fs::path> kernels = test::files_below(cache, ".so");
     ASSERT_FALSE(kernels.empty());
     for (const fs::path& kernel : kernels) fs::remove(kernel);
-    expect_has(done(render + options, with).err, message);  // nothing starts a process twice for a program
+    expect_has(done(render + scene, with).err, message);  // nothing starts a process twice for a program
     EXPECT_EQ(folder.read("a.png"), picture);
     fs::remove_all(cache);
   }

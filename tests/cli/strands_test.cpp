@@ -59,14 +59,16 @@ TEST_F(Strands, ChainsAreNoMotionOfShells) {
 
 TEST_F(Strands, TheOpenGlBaselineRefusesWhatItDoesNotDraw) {
   const std::string plain =
-      "render -o a.png --pipeline strands-opengl --model torus-24x12 --size 16x16 --set strands.skin_shadow=0 --set strands.shadow=none --set strands.skin=false";
-  if (has(pelage(plain).err, "no OpenGL")) GTEST_SKIP() << "there is no OpenGL";
-  done(plain);
-  expect_refused(pelage(plain + " --set strands.fraction=0.5"), "draws all strands", true);
-  folder.write(
-      "styled.toml",
-      "pipeline = \"strands-opengl\"\nmodel = \"torus-24x12\"\n[strands]\nskin_shadow = 0\nshadow = \"none\"\nskin = false\nlayer = [{ count = 50, twist_spread = 3 }]\n");
-  expect_refused(pelage("render -o a.png --size 16x16 styled.toml"), "draws plain strands", true);
+      "[[shading.light]]\nintensity = 1.0\n[strands]\nskin_shadow = 0\nshadow = \"none\"\nskin = false\n";
+  const auto draw = [&](const std::string& rest) {
+    folder.write("mine.toml", "pipeline = \"strands-opengl\"\n" + plain + rest);
+    return pelage("render mine.toml -o a.png --model torus-24x12 --size 16x16");
+  };
+  const Outcome drawn = draw("[[strands.layer]]\ncount = 50\n");
+  if (has(drawn.err, "no OpenGL")) GTEST_SKIP() << "there is no OpenGL";
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  expect_refused(draw("fraction = 0.5\n"), "draws all strands", true);
+  expect_refused(draw("[[strands.layer]]\ncount = 50\ntwist_spread = 3\n"), "draws plain strands", true);
 }
 
 TEST_F(Strands, AnExperimentTimesThemAlone) {
