@@ -95,7 +95,7 @@ CompileProcesses::CompileProcesses(const Device& device, const std::vector<Progr
   for (const ProgramText& text : texts) {
     const Hash hash = Hash().text(info.name).text(info.driver).text(build_key(text));
     const fs::path note = cache / ("pelage-" + hash.hex());
-    if (fs::exists(note, failed)) continue;
+    if (fs::exists(note, failed) || std::find(notes_.begin(), notes_.end(), note) != notes_.end()) continue;
     queue += char(notes_.size());
     notes_.push_back(note);
     words.insert(words.end(), {text.file, text.options});
