@@ -12,7 +12,6 @@
 #include <set>
 #include <thread>
 
-#include "harness/record/journal.hpp"
 #include "harness/record/results_folder.hpp"
 #include "tests/cli/shell.hpp"
 #include "tests/support/fake.hpp"
