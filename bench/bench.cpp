@@ -107,11 +107,6 @@ void time_mask(benchmark::State& state, Bench& bench) {
   state.counters["texels"] = rate(size * size);
 }
 
-void time_frame(benchmark::State& state, Bench& bench) {
-  for (auto unused : state) state.SetIterationTime(bench.backend->frame().wall_ms / 1000);
-  state.counters["shaded"] = rate(bench.work.shaded);
-}
-
 Scene scene_of(const Options& options) {
   Scene scene;
   if (!options.scene.empty()) scene = read_scene(options.scene);
@@ -131,14 +126,16 @@ void register_all(Bench& bench, const Options& options, bool timer) {
   const Scene& scene = bench.input->scene;
   const std::string where =
       fmt::format("{}/{}/{}x{}", scene.model, scene.fur.layers, scene.image.width, scene.image.height);
-  const auto name = [&](const std::string& what) { return fmt::format("{}/{}", what, where); };
   const auto add = [&](const std::string& what, double ms, const auto& work) {
-    benchmark::RegisterBenchmark(name(what).c_str(), work)
+    benchmark::RegisterBenchmark(fmt::format("{}/{}", what, where).c_str(), work)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond)
         ->Iterations(iterations(ms));
   };
-  add("frame", pilot.wall_ms, [&bench](benchmark::State& s) { time_frame(s, bench); });
+  add("frame", pilot.wall_ms, [&bench](benchmark::State& state) {
+    for (auto unused : state) state.SetIterationTime(bench.backend->frame().wall_ms / 1000);
+    state.counters["shaded"] = rate(bench.work.shaded);
+  });
   if (!timer) return;
   if (bench.wet.program() != nullptr) {
     const cl::Event mask = bench.wet.run(bench.queue);

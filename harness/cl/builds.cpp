@@ -2,7 +2,6 @@
 
 #include <exception>
 #include <system_error>
-#include <utility>
 
 #include "harness/error.hpp"
 

@@ -1,7 +1,6 @@
 #include "harness/cl/drivers.hpp"
 
 #include <CL/cl.h>
-#include <fmt/format.h>
 #include <sched.h>
 #include <unistd.h>
 

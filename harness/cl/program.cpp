@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <mutex>
-#include <utility>
 
 #include "harness/cl/builds.hpp"
 #include "harness/cl/kernel_cache.hpp"

@@ -132,11 +132,6 @@ struct CheckOptions {
   bool full = false, hashes = false;
 };
 
-/// Prints one line: the name of the test case, the name of the hashed data, and the hash of its bytes.
-void print_hash(const CheckScene& which, const std::string& what, const std::string& hash) {
-  fmt::print("{:<34} {:<44} {}\n", which.name, what, hash);
-}
-
 const System& system_of(const CheckScene& which) {
   return *backend_named(which.scene.pipeline).system;
 }
@@ -185,7 +180,7 @@ int run_checks(const CheckOptions& options) {
   if (options.hashes) {
     for (const CheckScene& which : cases) {
       system_of(which).hash(request(which), [&](const std::string& what, const std::string& hash) {
-        print_hash(which, what, hash);
+        fmt::print("{:<34} {:<44} {}\n", which.name, what, hash);
       });
       std::fflush(stdout);
     }

@@ -59,11 +59,6 @@ struct DiagramOptions {
   double width = 1.5;
 };
 
-/// Number of frames after which the fur is shown.
-int frames_of(const Scene& scene) {
-  return frames_before(scene.dynamics) + 1;
-}
-
 Picture mask_of(const Scene& scene, const DiagramOptions& options) {
   const auto input = prepare(scene, load_scene_mesh(scene));
   return diagrams::mask_picture(*input, reference_mask(*input, 0), options.side);
@@ -88,7 +83,7 @@ Picture lines_of(const Scene& scene, const DiagramOptions& options) {
   const auto mesh = load_scene_mesh(scene);
   Picture picture = drawn(scene, mesh, options);
   const auto input = prepare(scene, mesh);
-  const FrameOutput motion = reference_motion(*input, frames_of(scene));
+  const FrameOutput motion = reference_motion(*input, frames_before(scene.dynamics) + 1);
   diagrams::draw_strands(picture, *input, diagrams::strand_curves(*input, motion.tips, options.most),
                          options.width);
   return picture;
@@ -107,7 +102,7 @@ diagrams::Section clump_of(const Scene& scene) {
 }
 
 diagrams::Section layers_of(const Scene& scene) {
-  return diagrams::layer_section(*prepare(scene, load_scene_mesh(scene)), frames_of(scene));
+  return diagrams::layer_section(*prepare(scene, load_scene_mesh(scene)), frames_before(scene.dynamics) + 1);
 }
 
 /// A diagram that this command draws: either a picture or a table.
@@ -189,16 +184,12 @@ struct WaterOptions {
 
 constexpr double most_lines = 1e6;
 
-bool has_wetness_keyframes(const Scene& scene) {
-  return std::any_of(scene.keyframes.tracks.begin(), scene.keyframes.tracks.end(),
-                     [](const KeyTrack& track) { return track.key.starts_with("wetness."); });
-}
-
 /// Returns the table. If keys of the water have keyframes, the droplets are made again for each line.
 std::string water_table(const Scene& scene, double to, double fps) {
   const auto mesh = load_scene_mesh(scene);
   const Skin skin = weld(*mesh);
-  const bool again = has_wetness_keyframes(scene);
+  const bool again = std::any_of(scene.keyframes.tracks.begin(), scene.keyframes.tracks.end(),
+                                 [](const KeyTrack& track) { return track.key.starts_with("wetness."); });
   std::vector<Droplet> droplets;
   std::string text = water_csv_header();
   const auto lines = std::size_t(std::floor(to * fps + 1e-6)) + 1;

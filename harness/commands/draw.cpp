@@ -26,14 +26,6 @@ struct RenderOptions {
   RendererOptions renderer;
 };
 
-/// Prints the name of the device and the time of its first frame, which has no warm-up, unless the pipeline
-/// runs on the host.
-void report_first_frame(const Renderer& renderer) {
-  if (renderer.device().empty()) return;
-  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
-             renderer.device(), renderer.ms());
-}
-
 int render(const RenderOptions& options) {
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
@@ -43,7 +35,10 @@ int render(const RenderOptions& options) {
   // name only after the preparation, which may take minutes.
   const std::unique_ptr<Renderer> renderer = open_renderer(options.renderer, resolved, scene);
   const Picture picture = renderer->draw(scene, load_drawn_mesh(options.renderer, scene));
-  report_first_frame(*renderer);
+  if (!renderer->device().empty())  // otherwise the pipeline runs on the host
+    fmt::print(stderr,
+               "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
+               renderer->device(), renderer->ms());
   write_picture(options.output, picture);
   if (!options.dump.empty()) renderer->dump(options.dump);
   return 0;

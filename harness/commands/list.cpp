@@ -36,17 +36,14 @@ std::string source_of(const Experiment& experiment) {
   return fmt::format(" ({}{}{})", experiment.paper, between, experiment.table);
 }
 
-/// Returns ", collection NAME", or "" if the experiment belongs to no collection.
-std::string collection_of(const Experiment& experiment) {
-  return experiment.collection.empty() ? "" : fmt::format(", collection {}", experiment.collection);
-}
-
 int list_all(bool json) {
   Json list = Json::array();
   for (const auto& file : experiment_files()) {
     const Experiment e = read_experiment(file);
     Json presets = Json::object();
-    if (!json) fmt::print("{}\n  {}{}{}\n", e.name, e.title, source_of(e), collection_of(e));
+    if (!json)
+      fmt::print("{}\n  {}{}{}\n", e.name, e.title, source_of(e),
+                 e.collection.empty() ? "" : ", collection " + e.collection);
     for (const auto& [name, preset] : e.presets) {
       const std::size_t count = cases_of(e, preset).size();
       presets[name] = {{"cases", count},

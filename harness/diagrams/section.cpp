@@ -25,11 +25,6 @@ double height_of(const Scene& scene, int layer) {
   return layer < 0 ? 0.0 : reference::layer_height(layer, scene.fur.layers);
 }
 
-double factor_of(const Scene& scene, int layer) {
-  if (layer < 0) return 0.0;
-  return reference::clump_shape(height_of(scene, layer), double(scene.clump.shape), scene.fur.layers);
-}
-
 }  // namespace
 
 std::string csv_of(const Section& section) {
@@ -57,7 +52,8 @@ Section clump_section(const Scene& scene, double length_per_uv) {
     const double root = clump.radius * i / strands_per_radius;
     const bool wet = std::abs(i) <= strands_per_radius;
     for (int n = -1; n < scene.fur.layers; ++n) {
-      const double h = height_of(scene, n), f = factor_of(scene, n);
+      const double h = height_of(scene, n), shape = double(scene.clump.shape);
+      const double f = n < 0 ? 0.0 : reference::clump_shape(h, shape, scene.fur.layers);
       const double u = wet ? reference::drawn_at(scene, clump, f, glm::dvec2(root, 0)).x : root;
       section.rows.push_back({double(i), wet ? 1.0 : 0.0, double(n), h, f, root, u, root - u,
                               u * length_per_uv, upright_height(scene, h)});

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "harness/compare/checks.hpp"
-#include "harness/error.hpp"
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
 #include "harness/measure/cpu_use.hpp"

@@ -29,15 +29,12 @@ std::uint64_t spread(double coordinate) {
   return (bits | bits << 2) & 0x1249249249249249u;
 }
 
-std::uint64_t morton(glm::dvec3 p) {
-  return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
-}
-
 // Returns the permutation that sorts `points` along the Morton curve; points with equal keys keep their
 // order.
 std::vector<std::uint32_t> morton_order(const std::vector<glm::dvec3>& points) {
   std::vector<std::uint64_t> key(points.size());
-  std::transform(points.begin(), points.end(), key.begin(), morton);
+  std::transform(points.begin(), points.end(), key.begin(),
+                 [](glm::dvec3 p) { return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2; });
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),

@@ -1,7 +1,5 @@
 #include "harness/mesh/models.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "harness/base/toml_table.hpp"

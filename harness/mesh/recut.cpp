@@ -42,12 +42,6 @@ bool is_clean(const Shape& shape) {
          uv_overlaps(shape).empty();
 }
 
-Shape shape_of_faces(const Surface& surface, const Faces& faces) {
-  Shape shape;
-  for (const std::uint32_t f : faces) shape.push_back(surface.uv[f]);
-  return shape;
-}
-
 /// Returns the triangles of a piece as a surface. Two corners are one point of it if a chain of triangles
 /// around this point, each the neighbour of the next, connects them.
 Surface separate(const Surface& surface, const Faces& faces, const Neighbours& next) {
@@ -166,7 +160,8 @@ class Flattener {
   /// Appends the charts of a piece. With `anew`, the piece is flattened even if its present UV has no
   /// overlaps.
   void add(const Faces& faces, bool anew, std::vector<Chart>& charts) const {
-    const Shape present = shape_of_faces(surface_, faces);
+    Shape present;
+    for (const std::uint32_t f : faces) present.push_back(surface_.uv[f]);
     const bool clean = is_clean(present);
     std::optional<Chart> chart;
     if (anew) chart = flattened(faces, even, false);

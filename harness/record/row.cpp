@@ -38,10 +38,6 @@ Json typed(const std::string& text) {
   return parsed.is_number() && parsed.dump() == text ? parsed : Json(text);
 }
 
-std::string untyped(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 Json object(const std::map<std::string, std::string>& values) {
   Json result = Json::object();
   for (const auto& [key, value] : values) result[key] = typed(value);
@@ -50,7 +46,8 @@ Json object(const std::map<std::string, std::string>& values) {
 
 std::map<std::string, std::string> strings(const Json& values) {
   std::map<std::string, std::string> result;
-  for (const auto& [key, value] : values.items()) result[key] = untyped(value);
+  for (const auto& [key, value] : values.items())
+    result[key] = value.is_string() ? value.get<std::string>() : value.dump();
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "harness/experiment/experiment.hpp"
 #include "harness/report/report.hpp"
 #include "harness/version/version.hpp"
 

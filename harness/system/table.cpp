@@ -1,6 +1,4 @@
 // The table of all systems and, in the file that each of them names, of its backends.
-#include <algorithm>
-
 #include "harness/system/system.hpp"
 
 namespace pelage {

@@ -13,17 +13,12 @@ struct Cluster : InFolder {
   void run(const std::string& options) const { done("run own.toml --host nodes " + options); }
 };
 
-std::size_t lines_of(const std::string& text) {
-  return std::size_t(std::count(text.begin(), text.end(), '\n'));
-}
-
 /// Returns the sorted names of cases in the lines of `text` that contain `part`.
 std::vector<std::string> cases_of(const std::string& text, const std::string& part = "") {
   static const std::regex name("torus_24x12-[0-9]+-320x240");
-  std::istringstream lines(text);
   std::vector<std::string> names;
   std::smatch match;
-  for (std::string line; std::getline(lines, line);)
+  for (const std::string& line : test::lines_of(text))
     if (has(line, part) && std::regex_search(line, match, name)) names.push_back(match.str());
   std::sort(names.begin(), names.end());
   return names;
@@ -39,7 +34,7 @@ TEST_F(Cluster, MergedShardsAreTheRunAndNamedIfMissing) {
   const Outcome half = pelage("merge half s0 --expect own.toml");
   EXPECT_EQ(half.code, 4) << half.err;
   expect_has(half.out, {"\tshard 1/2: no rows\n", "\tcase torus_24x12-6-320x240: no row\n"});
-  EXPECT_EQ(lines_of(half.out), 3u) << half.out;
+  EXPECT_EQ(test::lines_of(half.out).size(), 3u) << half.out;
 
   run("--shard 1/2 -o s1");
   const Outcome whole = done("merge whole half s1 s0 --expect own.toml");
@@ -64,7 +59,7 @@ TEST_F(Cluster, ARunCutByItsBudgetIsIncomplete) {
   done("merge --dry-run out cut4");
   const Outcome cases = pelage("merge --dry-run out cut4 --expect own.toml");
   EXPECT_EQ(cases.code, 4);
-  EXPECT_EQ(lines_of(cases.out), 3u) << cases.out;
+  EXPECT_EQ(test::lines_of(cases.out).size(), 3u) << cases.out;
 }
 
 TEST_F(Cluster, BalancedShardsAreAPartition) {

@@ -1,7 +1,5 @@
 // Reads the code blocks of a Markdown document, and runs blocks of shell commands.
 #pragma once
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -16,11 +14,10 @@ struct Block {
 };
 
 inline std::vector<Block> blocks_of(const fs::path& document) {
-  std::ifstream file(document);
   std::vector<Block> blocks;
   bool inside = false;
   int number = 0;
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : test::lines_of(test::text_of(document))) {
     ++number;
     if (line.rfind("```", 0) == 0) {
       if (!inside) blocks.push_back({number, line.substr(3), ""});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "tests/support/files.hpp"
@@ -24,9 +23,9 @@ const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 std::set<Line> anchors_of(const std::string& source) {
   static const std::regex function(R"(^(?:static inline|INLINE) [\w ]+[ *](\w+)\()");
   std::set<Line> anchors;
-  std::string comment, line;
+  std::string comment;
   std::smatch match;
-  for (std::istringstream stream(source); std::getline(stream, line);) {
+  for (const std::string& line : test::lines_of(source)) {
     if (line.rfind("//", 0) == 0) {
       comment += line.substr(2) + " ";
       continue;
@@ -60,8 +59,7 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
   std::set<Line> table;
   static const std::regex quoted("`([^`]+)`");
   const std::string document = text_of(root / "docs/shells.md") + text_of(root / "docs/springs.md");
-  std::string row;
-  for (std::istringstream stream(document); std::getline(stream, row);) {
+  for (const std::string& row : test::lines_of(document)) {
     if (row.rfind("| S Eq", 0) != 0 && row.rfind("| W Eq", 0) != 0 && row.rfind("| B Eq", 0) != 0 &&
         row.rfind("| Algorithm", 0) != 0)
       continue;

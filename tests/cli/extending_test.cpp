@@ -1,7 +1,5 @@
 // Runs the commands of docs/extending.md block by block, as a reader would.
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "tests/cli/document.hpp"
 
@@ -18,8 +16,7 @@ void apply(const std::string& diff, const fs::path& source, const fs::path& chan
     test::write_text(file, test::replaced(test::text_of(file), before, after));
     before = after = "";
   };
-  std::istringstream lines(diff);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : test::lines_of(diff)) {
     if (line.rfind("+++ b/", 0) == 0) {
       replace();
       file = changes / line.substr(6);

@@ -34,7 +34,7 @@ TEST_F(Figures, TheCollectionNamesAllTheirCases) {
   expect_has(dry.out, {"silva2010-fig13\tnear-640x480", "wetfur2010-fig06\tc-640x480"});
   // The pages show only cases that exist, and all of them.
   ASSERT_EQ(shell("'" PELAGE_SOURCE_DIR "/scripts/figure_sheets.py' --list"), 0);
-  std::istringstream list(folder.read("stdout")), cases(dry.out);
+  std::istringstream list(folder.read("stdout"));
   std::set<std::string> shown, known;
   for (std::string experiment, name, kind; list >> experiment >> name >> kind;) {
     expect_has(dry.out, fmt::format("{}\t{}\t", experiment, name));
@@ -42,7 +42,7 @@ TEST_F(Figures, TheCollectionNamesAllTheirCases) {
     if (kind == "picture" || kind == "lines" || kind == "wind")
       shown.insert(fmt::format("{} {}", experiment, name));
   }
-  for (std::string line; std::getline(cases, line);) {
+  for (const std::string& line : test::lines_of(dry.out)) {
     std::istringstream words(line);
     std::string experiment, name;
     words >> experiment >> name;

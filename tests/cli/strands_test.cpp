@@ -85,11 +85,9 @@ TEST_F(Strands, FramesHaveTheSameBitsForAllChunksAndThreads) {
   std::set<std::string> hashes;
   for (const char* threads : {"POCL_MAX_PTHREAD_COUNT=1", "POCL_MAX_PTHREAD_COUNT=2"}) {
     const Outcome outcome = done("check --hashes --filter strands", threads);
-    std::istringstream lines(outcome.out);
-    int count = 0;
-    for (std::string line; std::getline(lines, line); ++count)
-      hashes.insert(line.substr(line.rfind(' ') + 1));
-    EXPECT_EQ(count, 3) << outcome.out;
+    const std::vector<std::string> lines = test::lines_of(outcome.out);
+    for (const std::string& line : lines) hashes.insert(line.substr(line.rfind(' ') + 1));
+    EXPECT_EQ(lines.size(), 3u) << outcome.out;
   }
   EXPECT_EQ(hashes.size(), 1u);
 }

@@ -10,7 +10,6 @@
 
 #include "harness/compare/frame_output.hpp"
 #include "harness/compare/tolerances.hpp"
-#include "harness/prepare/water.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/dump/table.hpp"
 #include "tests/support/files.hpp"

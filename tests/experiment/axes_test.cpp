@@ -1,7 +1,6 @@
 // Tests axes whose names the author of the experiment file chose, such as `mood`, and the checks of all axes.
 #include "harness/experiment/axes.hpp"
 
-#include "harness/error.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/texts.hpp"
 

@@ -1,19 +1,16 @@
 // Tests the experiments of the papers' figures, and that docs/experiments.md lists them.
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<Experiment> figures() {
   std::vector<Experiment> found;
@@ -48,10 +45,9 @@ TEST(FigureExperiments, AreDrawnWithTheReadingsOfTheSharedScene) {
 
 /// Returns the rows of a table in docs/experiments.md, keyed by the experiment in the second column.
 std::map<std::string, std::string> rows_of_document() {
-  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/experiments.md");
   std::map<std::string, std::string> rows;
   static const std::regex row(R"(^\|[^|]*\| `((?:silva2010|wetfur2010)-fig[0-9]+)`)");
-  for (std::string line; std::getline(stream, line);) {
+  for (const std::string& line : test::lines_of(test::text_of(PELAGE_SOURCE_DIR "/docs/experiments.md"))) {
     std::smatch match;
     if (std::regex_search(line, match, row)) rows[match[1]] = line;
   }

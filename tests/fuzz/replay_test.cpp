@@ -10,8 +10,6 @@
 namespace pelage::fuzz {
 namespace {
 
-namespace fs = std::filesystem;
-
 const fs::path corpus = fs::path(PELAGE_SOURCE_DIR) / "tests/fuzz/corpus";
 
 struct Replay : ::testing::TestWithParam<Target> {};

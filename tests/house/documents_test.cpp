@@ -91,8 +91,7 @@ std::vector<fs::path> documents() {
 
 std::vector<std::string> titles_of(const std::string& text) {
   std::vector<std::string> titles;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
+  for (const std::string& line : pelage::test::lines_of(text))
     if (const std::size_t end = line.find_first_not_of('#');
         line.starts_with('#') && end != std::string::npos)
       titles.push_back(line.substr(end + 1));
@@ -221,9 +220,8 @@ TEST(Documents, TogetherHaveAtMost35000Words) {
   std::size_t words = 0;
   for (const fs::path& document : documents()) {
     if (written.contains(document.lexically_relative(root).generic_string())) continue;
-    std::istringstream lines(pelage::test::text_of(document));
     bool counts = true;
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : pelage::test::lines_of(pelage::test::text_of(document))) {
       if (line.starts_with("<!-- ")) counts = line.find(" begin") == std::string::npos;
       std::istringstream stream(line);
       if (counts)

@@ -1,6 +1,5 @@
 // Tests that the repository obeys its own rules, and that the functions of rules.hpp find deliberate
 // violations.
-#include <cstdlib>
 #include <functional>
 #include <iterator>
 #include <regex>

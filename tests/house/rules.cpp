@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace pelage::house {
 namespace {
@@ -36,19 +37,6 @@ std::string harness_room_of(const std::string& path, const Links& links) {
     if (links.count(room) > 0) return room;
   }
   return room_of(path, "harness");
-}
-
-struct Line {
-  int number;
-  std::string text;
-};
-
-std::vector<Line> lines_of(const std::string& text) {
-  std::vector<Line> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-    lines.push_back({static_cast<int>(lines.size()) + 1, line});
-  return lines;
 }
 
 // Returns the reason why the file `path` must not include the file `what`, or an empty string if it may.
@@ -140,9 +128,11 @@ Links room_links(const std::string& cmake_lists) {
 Faults include_faults(const std::string& path, const std::string& text, const Links& links) {
   static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
   Faults faults;
-  for (const Line& line : lines_of(text)) {
+  int number = 0;
+  for (const std::string& line : test::lines_of(text)) {
+    ++number;
     std::smatch match;
-    if (!std::regex_search(line.text, match, include)) continue;
+    if (!std::regex_search(line, match, include)) continue;
     const std::string what = match[1];
     std::string fault;
     if (what.find("..") != std::string::npos)
@@ -151,7 +141,7 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
       fault = kernel_fault(path, what);
     else if (path.starts_with("harness/"))
       fault = harness_fault(path, what, links);
-    if (!fault.empty()) faults.push_back(fmt::format("{}:{}: {}: {}", path, line.number, what, fault));
+    if (!fault.empty()) faults.push_back(fmt::format("{}:{}: {}: {}", path, number, what, fault));
   }
   return faults;
 }
@@ -164,7 +154,7 @@ Faults text_faults(const std::string& path, const std::string& text) {
   const auto report = [&](int line, const std::string& what) {
     faults.push_back(fmt::format("{}:{}: {}", path, line, what));
   };
-  const auto lines = lines_of(text);
+  const auto lines = test::lines_of(text);
   // The manual page (.1) may be longer, because it must describe all commands in one file. A document is
   // limited by its words, because the definition of a frame is one page.
   if (path.ends_with(".md")) {
@@ -175,13 +165,13 @@ Faults text_faults(const std::string& path, const std::string& text) {
   } else if (lines.size() > 400 && !path.ends_with(".1"))
     report(401, fmt::format("{} lines, 400 are enough", lines.size()));
   if (!text.empty() && text.back() != '\n') report(static_cast<int>(lines.size()), "no newline at the end");
-  for (const Line& line : lines) {
-    if (std::regex_search(line.text, later))
-      report(line.number, "a note for later: do it now or open an issue");
-    if (std::regex_search(line.text, machine)) report(line.number, "a path of somebody's own machine");
-    if (!line.text.empty() &&
-        (line.text.back() == ' ' || line.text.back() == '\r' || line.text.back() == '\t'))
-      report(line.number, "a blank or carriage return at the end of the line");
+  int number = 0;
+  for (const std::string& line : lines) {
+    ++number;
+    if (std::regex_search(line, later)) report(number, "a note for later: do it now or open an issue");
+    if (std::regex_search(line, machine)) report(number, "a path of somebody's own machine");
+    if (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == '\t'))
+      report(number, "a blank or carriage return at the end of the line");
   }
   return faults;
 }
@@ -200,11 +190,13 @@ Faults copy_faults(const std::string& path, const std::string& text) {
   if (!path.starts_with("kernels/")) return faults;
   for (const Computation& one : computations) {
     bool found = false;
-    for (const Line& line : lines_of(text)) {
-      if (!std::regex_search(line.text.substr(0, line.text.find("//")), one.written)) continue;
+    int number = 0;
+    for (const std::string& line : test::lines_of(text)) {
+      ++number;
+      if (!std::regex_search(line.substr(0, line.find("//")), one.written)) continue;
       found = true;
       if (path != one.file)
-        faults.push_back(fmt::format("{}:{}: {} belongs in {}", path, line.number, one.what, one.file));
+        faults.push_back(fmt::format("{}:{}: {} belongs in {}", path, number, one.what, one.file));
     }
     if (path == one.file && !found) faults.push_back(fmt::format("{}: has no longer {}", path, one.what));
   }

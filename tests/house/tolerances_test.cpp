@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace fs = std::filesystem;
 using pelage::house::root;
@@ -17,7 +17,7 @@ using pelage::house::root;
 namespace {
 
 /// Returns the lines of a source file that define a tolerance. `path` is relative to the repository.
-std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
+std::vector<std::string> written_tolerances(const std::string& path, const std::string& text) {
   // contradiction.cpp has the weakest limits of rows of every version, which belong to the file format.
   if (path == "harness/compare/tolerances.hpp" || path == "harness/record/contradiction.cpp") return {};
   // In a line that constructs a Check, this expression matches a limit that is written as a number. Two kinds
@@ -36,7 +36,7 @@ std::vector<std::string> written_tolerances(const std::string& path, std::istrea
     accepts = accepts || path.starts_with(fmt::format("harness/{}/", folder));
   std::vector<std::string> found;
   int number = 0;
-  for (std::string line; std::getline(source, line);) {
+  for (const std::string& line : pelage::test::lines_of(text)) {
     ++number;
     std::smatch match;
     const bool check =
@@ -48,11 +48,6 @@ std::vector<std::string> written_tolerances(const std::string& path, std::istrea
   return found;
 }
 
-std::size_t count_in(const std::string& path, const std::string& text) {
-  std::istringstream stream(text);
-  return written_tolerances(path, stream).size();
-}
-
 }  // namespace
 
 TEST(Tolerances, StandInOnePlace) {
@@ -62,8 +57,8 @@ TEST(Tolerances, StandInOnePlace) {
       const std::string path = file.lexically_relative(root).generic_string();
       if (path.starts_with("tests/house/")) continue;
       ++files;
-      std::ifstream stream(file);
-      for (const std::string& line : written_tolerances(path, stream)) ADD_FAILURE() << line;
+      for (const std::string& line : written_tolerances(path, pelage::test::text_of(file)))
+        ADD_FAILURE() << line;
     }
   EXPECT_GT(files, 200u);
 }
@@ -85,7 +80,8 @@ TEST(Tolerances, PlantedOnesAreFound) {
       {"tests/springs/opencl/steps_test.cpp", "EXPECT_LT(error.rms, 1e-3) << name(solver);"},
       {"tests/springs/opencl/steps_test.cpp",
        "EXPECT_LT(largest_difference(a, offsets), 1e-4 * double(fur_length));"}};
-  for (const auto& [path, line] : planted) EXPECT_EQ(count_in(path, line), 1u) << path << ": " << line;
+  for (const auto& [path, line] : planted)
+    EXPECT_EQ(written_tolerances(path, line).size(), 1u) << path << ": " << line;
   const std::pair<const char*, const char*> allowed[] = {
       {"harness/compare/tolerances.hpp", "inline constexpr double picture_psnr = 60.0;"},
       {"harness/compare/checks.cpp", R"({"reference", "texels wet in one only", other, 0, false},)"},
@@ -94,5 +90,6 @@ TEST(Tolerances, PlantedOnesAreFound) {
       {"harness/prepare/camera.cpp", "if (glm::length(right) < 1e-6 * glm::length(up))"},
       {"tests/support/fake.hpp", R"(row.check = {{"reference", "psnr", 71.5, 60, true}};)"},
       {"tests/shells/reference/render_test.cpp", "EXPECT_GT(agreement.psnr, 35);"}};
-  for (const auto& [path, line] : allowed) EXPECT_EQ(count_in(path, line), 0u) << path << ": " << line;
+  for (const auto& [path, line] : allowed)
+    EXPECT_TRUE(written_tolerances(path, line).empty()) << path << ": " << line;
 }

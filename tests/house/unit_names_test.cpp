@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <map>
 #include <regex>
-#include <sstream>
 
 #include "tests/house/rules.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/texts.hpp"
 
 namespace fs = std::filesystem;
 
@@ -19,9 +19,8 @@ std::set<std::string> anonymous_functions(const std::string& text) {
   static const std::regex definition(
       R"(^(?!return|using|struct|class|TEST|INSTANTIATE|static_assert)[A-Za-z_][\w:<>,&*\s\[\]]*[\s&*](\w+)\()");
   std::set<std::string> names;
-  std::istringstream lines(text);
   bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : pelage::test::lines_of(text)) {
     if (line == "namespace {") inside = true;
     if (line == "}  // namespace") inside = false;
     std::smatch found;

@@ -9,20 +9,6 @@
 namespace pelage {
 namespace {
 
-TEST(Statistics, MedianOfOddAndEvenCounts) {
-  EXPECT_DOUBLE_EQ(median(std::vector<double>{3, 1, 2}), 2);
-  EXPECT_DOUBLE_EQ(median(std::vector<double>{4, 1, 3, 2}), 2.5);
-  EXPECT_DOUBLE_EQ(median(std::vector<double>{7}), 7);
-}
-
-TEST(Statistics, QuantilesAreThoseOfNumpy) {
-  const std::vector<double> v{15, 20, 35, 40, 50};
-  EXPECT_DOUBLE_EQ(quantile(v, 0), 15);
-  EXPECT_DOUBLE_EQ(quantile(v, 0.25), 20);
-  EXPECT_DOUBLE_EQ(quantile(v, 0.4), 29);
-  EXPECT_DOUBLE_EQ(quantile(v, 1), 50);
-}
-
 // The expected 95% intervals of the median come from the tables of the sign test in Conover, Practical
 // Nonparametric Statistics. For example, the interval of 10 sorted values runs from the 2nd to the 9th value.
 TEST(Statistics, OrderStatisticsOfTheTables) {

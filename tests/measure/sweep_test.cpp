@@ -1,47 +1,18 @@
 // Kills, resumes and divides sweeps (runs of all cases of an experiment) with the program and the preset
 // `smoke`.
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <random>
 #include <set>
-#include <thread>
 
-#include "harness/record/journal.hpp"
 #include "harness/record/results_folder.hpp"
 #include "tests/cli/shell.hpp"
-#include "tests/support/fake.hpp"
 
 namespace pelage {
 namespace {
-
-/// Runs pelage and discards its output. Kills the process after `kill_after_s` seconds, or never if
-/// `kill_after_s` is negative. Returns the wait status of the process.
-int pelage(std::vector<std::string> words, double kill_after_s = -1) {
-  words.insert(words.begin(), PELAGE_BINARY);
-  const pid_t child = fork();
-  if (child == 0) {
-    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
-    std::vector<char*> argv;
-    argv.reserve(words.size() + 1);
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  if (kill_after_s >= 0) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(kill_after_s));
-    kill(child, SIGKILL);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return status;
-}
 
 /// Returns all rows without the values that differ between two runs, such as times, paths and dates.
 std::set<std::string> said(const std::string& folder) {
@@ -72,28 +43,31 @@ std::set<std::string> said(const std::string& folder) {
 struct Sweep : ::testing::Test {
   static void SetUpTestSuite() {
     folder = std::make_unique<test::Folder>();
-    whole = (folder->path / "whole").string();
     ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
     // The first run compiles kernels and creates textures, so that the later runs find them in the caches.
-    ASSERT_EQ(pelage(run({"-o", (folder->path / "first").string()})), 0) << "the smoke sweep itself failed";
+    ASSERT_EQ(sweep("-o first"), 0) << "the smoke sweep itself failed";
     const auto started = std::chrono::steady_clock::now();
-    ASSERT_EQ(pelage(run({"-o", whole})), 0) << "the smoke sweep itself failed";
+    ASSERT_EQ(sweep("-o whole"), 0) << "the smoke sweep itself failed";
     whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    expected = said(whole);
+    expected = said((folder->path / "whole").string());
     ASSERT_EQ(expected.size(), 4u);
   }
   static void TearDownTestSuite() { folder.reset(); }
-  static std::vector<std::string> run(std::vector<std::string> rest) {
+  /// Runs the sweep in `folder`. Kills pelage after `kill_after_s` seconds, or never if this is 0. Returns
+  /// the exit code, which is 137 if pelage was killed.
+  static int sweep(const std::string& options, double kill_after_s = 0) {
     // With few layers, the picture of the reference is computed soon.
-    rest.insert(rest.begin(), {"run", "silva2010-table1", "--preset", "smoke", "--axis", "layers=4,16"});
-    return rest;
+    return cli::shell(
+        *folder,
+        fmt::format(
+            "timeout --foreground -s KILL {} '{}' run silva2010-table1 --preset smoke --axis layers=4,16 {}",
+            kill_after_s, PELAGE_BINARY, options));
   }
   static inline std::unique_ptr<test::Folder> folder;
-  static inline std::string whole;
   /// Expects that the rows of `results` are equal to the rows of the undisturbed run `whole`. Prints only
   /// rows that differ, because a row is long.
   static void expect_same(const std::string& results) {
-    const std::set<std::string> lines = said(results);
+    const std::set<std::string> lines = said((folder->path / results).string());
     EXPECT_EQ(lines.size(), expected.size());
     for (const std::string& line : lines)
       EXPECT_TRUE(expected.contains(line)) << row_from_line(line).case_name << " is another row: " << line;
@@ -104,11 +78,11 @@ struct Sweep : ::testing::Test {
     std::mt19937_64 random(1123);
     int kills = 0, sweeps = 0;
     while (kills < wanted) {
-      const std::string out = (folder->path / fmt::format("killed{}-{}", wanted, sweeps++)).string();
-      fs::create_directories(out);
+      const std::string out = fmt::format("killed{}-{}", wanted, sweeps++);
+      fs::create_directories(folder->path / out);
       for (int i = 0; i < 10 && kills < wanted; ++i)
-        kills += WIFSIGNALED(pelage(run({"--resume", out}), 0.4 * whole_s * double(random() % 1000) / 1000));
-      ASSERT_EQ(pelage(run({"--resume", out})), 0);
+        kills += sweep("--resume " + out, 0.4 * whole_s * double(random() % 1000) / 1000) == 137;
+      ASSERT_EQ(sweep("--resume " + out), 0);
       expect_same(out);
       ASSERT_LT(sweeps, 20) << "the sweep ends before it can be killed";
     }
@@ -126,24 +100,22 @@ TEST_F(Sweep, KilledAtTwentyMomentsAndResumedGivesTheSameRows) {
 }
 
 TEST_F(Sweep, ShardsRepeatsAndRefusals) {
-  const std::string out = (folder->path / "shards").string();
-  for (const char* shard : {"0/3", "1/3", "2/3"}) ASSERT_EQ(pelage(run({"-o", out, "--shard", shard})), 0);
-  expect_same(out);
-  EXPECT_EQ(test::files_below(out, "-of-3.jsonl").size(), 3u);
+  for (const std::string shard : {"0/3", "1/3", "2/3"}) ASSERT_EQ(sweep("-o shards --shard " + shard), 0);
+  expect_same("shards");
+  EXPECT_EQ(test::files_below(folder->path / "shards", "-of-3.jsonl").size(), 3u);
 
   // Without --resume, pelage must refuse a folder that already contains rows. With --resume, pelage must keep
   // these rows.
-  EXPECT_EQ(WEXITSTATUS(pelage(run({"-o", whole}))), 2);
-  expect_same(whole);
-  EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);
-  expect_same(whole);
-  EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
+  EXPECT_EQ(sweep("-o whole"), 2);
+  expect_same("whole");
+  EXPECT_EQ(sweep("--resume whole"), 0);
+  expect_same("whole");
+  EXPECT_EQ(cli::pelage(*folder, "run silva2010-table1 --preset quick --resume whole").code, 2);
 
-  const std::string repeated = (folder->path / "repeats").string();
-  ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
+  ASSERT_EQ(sweep("-o repeats --repeat 2 --filter torus-16"), 0);
   std::set<std::string> runs;
   std::set<int> repeats;
-  for (const FoundRow& found : read_results({repeated})) {
+  for (const FoundRow& found : read_results({(folder->path / "repeats").string()})) {
     runs.insert(found.row.run_id);
     repeats.insert(found.row.repeat);
   }

@@ -1,7 +1,6 @@
 #include "harness/page/page.hpp"
 
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "harness/picture/image_io.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "harness/report/report.hpp"
 #include "tests/planted/runs.hpp"
 #include "tests/support/texts.hpp"
 

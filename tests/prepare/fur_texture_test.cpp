@@ -8,8 +8,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "harness/prepare/random.hpp"
-
 namespace pelage {
 namespace {
 

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <set>
-#include <sstream>
 
 #include "harness/error.hpp"
 #include "harness/record/journal.hpp"
@@ -248,9 +247,9 @@ TEST_F(Merging, TheRecordedRowsComeThroughUnchanged) {
     const fs::path merged = folder.path / std::to_string(journals++);
     const std::vector<FoundRow> rows = read_results({journal.string()});
     write_merge(plan_merge(rows, false), merged);
-    std::istringstream recorded(text_of(journal));
     std::string expected;
-    for (std::string line; std::getline(recorded, line);) expected += to_line(row_from_line(line)) + "\n";
+    for (const std::string& line : lines_of(text_of(journal)))
+      expected += to_line(row_from_line(line)) + "\n";
     EXPECT_EQ(text_of(merged / rows.front().row.experiment / journal.filename()), expected) << journal;
   }
   EXPECT_GE(journals, 5u);

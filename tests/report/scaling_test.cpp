@@ -2,7 +2,6 @@
 // table.
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "harness/report/plot_spec.hpp"
 #include "harness/report/report.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/texts.hpp"

@@ -1,6 +1,5 @@
 // Tests that writing and reading a scene preserves the value of every key: its default, its bounds and values
 // between the bounds.
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <random>
@@ -214,9 +213,9 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
 /// Returns the members of the structs in the headers of the scene as dotted keys: "float length = ..."
 /// in "struct FurScene" gives "fur.length".
 std::vector<std::string> members() {
-  std::stringstream file;
+  std::string text;
   for (const char* name : {"harness/scene/scene.hpp", "harness/scene/strands_scene.hpp"})
-    file << std::ifstream(fs::path(PELAGE_SOURCE_DIR) / name).rdbuf();
+    text += test::text_of(fs::path(PELAGE_SOURCE_DIR) / name);
   std::map<std::string, std::string> tables;
   std::istringstream pairs(
       "FurScene fur. CurlScene curl. WetnessScene wetness. ClumpScene clump. SoakedScene soaked. BlendScene blend. WindScene dynamics.wind. DynamicsScene dynamics. ShadingScene shading. CoatScene coat. StrandsScene strands. ChainScene strands.chain. CameraScene camera. ImageScene image. SpringsScene dynamics.springs. MotionScene dynamics.motion. PokeScene dynamics.poke. MeshScene mesh. ContactMeshScene contact.mesh_ ContactMotion contact.mesh_");
@@ -226,7 +225,7 @@ std::vector<std::string> members() {
   std::vector<std::string> names;
   std::string prefix;
   std::smatch match;
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : test::lines_of(text)) {
     if (std::regex_search(line, match, opening))
       prefix = tables.contains(match[1]) ? tables.at(match[1]) : "";
     if (prefix.empty() || !std::regex_search(line, match, member)) continue;

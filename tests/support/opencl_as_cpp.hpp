@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #ifdef __clang__  // The truth values of kernels are vectors, whose operators are & and |.
 #pragma clang diagnostic ignored "-Wbitwise-instead-of-logical"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "harness/scene/keyframes.hpp"
 #include "harness/scene/pipelines.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/system/renderer.hpp"

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "harness/shells/opencl/raster_stage.hpp"
 
 namespace pelage::shells {

@@ -2,8 +2,6 @@
 // fur, and integration scheme.
 #pragma once
 #include <glm/vec3.hpp>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "harness/scene/spring_kinds.hpp"

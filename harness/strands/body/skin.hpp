@@ -1,7 +1,6 @@
 // A skin that moves and deforms: the roots of key strands in each frame of an animated mesh.
 #pragma once
 #include <glm/vec3.hpp>
-#include <memory>
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <string>

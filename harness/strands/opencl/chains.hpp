@@ -1,6 +1,5 @@
 // Simulates strands on an OpenCL device.
 #pragma once
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "harness/error.hpp"
 #include "harness/strands/drawing/detail.hpp"

@@ -1,11 +1,8 @@
 // Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
 #pragma once
-#include <algorithm>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "harness/cl/program.hpp"

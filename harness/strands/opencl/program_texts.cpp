@@ -14,10 +14,6 @@ namespace {
 
 constexpr int item_map_tile = 64, group_map_tile = 16;
 
-bool is_group(const cl::DeviceInfo& device, Drawing mapping) {
-  return mapping == Drawing::standard ? !device.cpu : mapping == Drawing::group;
-}
-
 int tile_lanes_of(int wanted) {
   if (wanted != 0 && wanted != 8 && wanted != 16)
     throw InputError(fmt::format("tile_lanes: {}; it must be 8 or 16", wanted));
@@ -58,7 +54,7 @@ PictureKinds expected_kinds(const Scene& scene) {
 }  // namespace
 
 DrawerLayout layout_of(const cl::DeviceInfo& device, int width, int height, const DrawerOptions& options) {
-  const bool group = is_group(device, options.mapping);
+  const bool group = options.mapping == Drawing::standard ? !device.cpu : options.mapping == Drawing::group;
   return {group, tile_of(device, width, height, group, options.tile), cl::lanes_of(device, options.lanes),
           group ? 1 : tile_lanes_of(options.tile_lanes)};
 }

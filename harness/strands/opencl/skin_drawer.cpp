@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
-#include <vector>
 
 #include "harness/error.hpp"
 #include "harness/strands/opencl/drawer.hpp"

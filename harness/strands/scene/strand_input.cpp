@@ -1,7 +1,6 @@
 #include "harness/strands/scene/strand_input.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"

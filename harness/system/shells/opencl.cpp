@@ -1,9 +1,6 @@
 // Shells on an OpenCL device.
 #include <fmt/format.h>
 
-#include <optional>
-
-#include "harness/cl/builds.hpp"
 #include "harness/compare/checks.hpp"
 #include "harness/compare/metrics.hpp"
 #include "harness/shells/opencl/program_texts.hpp"

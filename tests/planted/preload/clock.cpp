@@ -17,17 +17,14 @@ time_t step() {
   return calls++ % 2 == 0 ? -day : day;
 }
 
-bool is_wall(clockid_t clock) {
-  return clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE;
-}
-
 }  // namespace
 
 extern "C" {
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {
   const long code = syscall(SYS_clock_gettime, clock, now);
-  if (code == 0 && is_wall(clock)) now->tv_sec += step();
+  const bool wall = clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE;
+  if (code == 0 && wall) now->tv_sec += step();
   return int(code);
 }
 

@@ -2,8 +2,6 @@
 // independently of each other; both follow S and W (docs/shells.md).
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "harness/compare/tolerances.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"

@@ -8,7 +8,6 @@
 namespace pelage::strands {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace test;
 
 class FurCache : public ::testing::Test {

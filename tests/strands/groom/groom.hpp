@@ -1,14 +1,8 @@
 // Meshes, pictures and comparisons that the tests in tests/strands/groom use.
 #pragma once
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <functional>
-#include <glm/geometric.hpp>
 #include <string>
-#include <vector>
 
-#include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/strands/groom/fur.hpp"
 #include "tests/support/files.hpp"

@@ -2,7 +2,6 @@
 // steps.cpp.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 

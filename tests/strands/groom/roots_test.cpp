@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "harness/error.hpp"
 #include "tests/support/synthetic.hpp"

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "harness/strands/reference/drawing.hpp"
 #include "tests/strands/support/ball.hpp"

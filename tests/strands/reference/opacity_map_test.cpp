@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "harness/strands/reference/drawing.hpp"
 #include "tests/strands/support/ball.hpp"

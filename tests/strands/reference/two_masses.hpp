@@ -3,16 +3,12 @@
 // tests.
 #pragma once
 #include <Eigen/Dense>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <numbers>
 #include <random>
-#include <utility>
-#include <vector>
 
 #include "harness/strands/reference/chain.hpp"
 

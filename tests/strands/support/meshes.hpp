@@ -1,7 +1,6 @@
 // Small closed meshes for tests of the body of strands.
 #pragma once
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
 #include <numeric>
