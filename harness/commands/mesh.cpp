@@ -223,10 +223,10 @@ void print_topology(const Mesh& mesh, springs::Kind kind, springs::Vertices vert
   const auto kib = [&](springs::Solver solver) {
     return fmt::format("{:.0f}", double(springs::memory(layout, solver)) / 1024);
   };
-  const auto said = published.find(std::string(springs::name(kind)));
+  const auto said = published.find(std::string(kind.name));
   const std::string paper =
       said == published.end() ? "" : fmt::format("{} / {}", said->second[0], said->second[1]);
-  row(fmt::format("{}{}", springs::name(kind), on), built.mass.size(), built.spring.size(),
+  row(fmt::format("{}{}", kind.name, on), built.mass.size(), built.spring.size(),
       fmt::format("{} / {:.2f} / {}", d.least, d.mean, d.most), kib(springs::default_solver), kib(implicit),
       paper);
 }

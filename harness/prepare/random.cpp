@@ -39,8 +39,4 @@ double fractal_noise(glm::dvec3 p, std::uint32_t seed) {
   return sum / 1.75;
 }
 
-glm::dvec3 noise3(glm::dvec3 p, std::uint32_t seed) {
-  return {noise(p, seed + 11u), noise(p, seed + 23u), noise(p, seed + 37u)};
-}
-
 }  // namespace pelage

@@ -43,7 +43,4 @@ double noise(glm::dvec3 p, std::uint32_t seed);
 /// Returns a sum of three octaves of noise(), in [-1, 1].
 double fractal_noise(glm::dvec3 p, std::uint32_t seed);
 
-/// Returns a vector of three independent values of noise().
-glm::dvec3 noise3(glm::dvec3 p, std::uint32_t seed);
-
 }  // namespace pelage

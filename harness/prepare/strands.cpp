@@ -28,7 +28,8 @@ std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur, const 
   for (std::size_t w = 0; w < skin.position.size(); ++w) {
     const glm::dvec3 t = tangential(direction, skin.normal[w]);
     const double grip = glm::length(t);
-    const glm::dvec3 ruffle = noise3(skin.position[w] / noise_size, fur.seed);
+    const glm::dvec3 p = skin.position[w] / noise_size;
+    const glm::dvec3 ruffle(noise(p, fur.seed + 11u), noise(p, fur.seed + 23u), noise(p, fur.seed + 37u));
     const float comb = style.comb.empty() ? fur.comb : fur.comb * style.comb[w];
     lean.push_back(double(comb) * t / std::hypot(grip, least_grip) +
                    double(fur.comb_noise) * 2.0 * tangential(ruffle, skin.normal[w]));

@@ -85,10 +85,6 @@ std::vector<Droplet> droplets_at(const WetnessScene& wetness, const std::vector<
   return wet;
 }
 
-std::vector<Droplet> droplets_of_picture(const FrameInput& input, int frames) {
-  return droplets_at(input.scene.wetness, input.droplets, picture_time(input.scene.dynamics, frames));
-}
-
 void set_arrivals(const WetnessScene& wetness, std::vector<Droplet>& droplets, std::size_t first) {
   const double begin = double(wetness.begin), rate = double(wetness.rate);
   for (std::size_t i = first; i < droplets.size(); ++i) {

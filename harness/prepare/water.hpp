@@ -46,9 +46,6 @@ std::vector<float> wetness_of_picture(const FrameInput& input, int frames);
 std::vector<Droplet> droplets_at(const WetnessScene& wetness, const std::vector<Droplet>& droplets,
                                  double seconds);
 
-/// Returns the droplets of the input that are blended into the mask of the picture after `frames` frames.
-std::vector<Droplet> droplets_of_picture(const FrameInput& input, int frames);
-
 /// Sets the arrival of the random droplets, which begin at the index `first`. Droplet i of them arrives at
 /// wetness.begin + i / wetness.rate, or at wetness.begin if the rate is 0. Removes those that would arrive
 /// after wetness.end.

@@ -41,7 +41,7 @@ std::string_view pipeline_help() {
 
 /// Returns "silva", "chains" and the names of the mass-spring topologies.
 std::vector<std::string_view> topology_names() {
-  std::vector<std::string_view> names = springs::kind_names();
+  std::vector<std::string_view> names = names_of(springs::kinds);
   names.insert(names.begin(), {"silva", "chains"});
   return names;
 }
@@ -229,7 +229,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "blend.order", .slot = &s.blend.order, .unit = "", .help = "order in which the fragments of a pixel are blended: \"layer\" is the order of blend.faces; \"depth\" blends the farthest fragment first, so that near fur covers far fur everywhere. The OpenCL mapping group draws \"depth\" instead of the mapping tile; the OpenGL baseline does not support it", .choices = {blend_orders.begin(), blend_orders.end()}},
 
       {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "model of the fur's motion: \"silva\" has one strand of Silva et al. per triangle; \"chains\" is only for the pipelines that draw strands, which always simulate chains of two segments (docs/strands.md); the other values are mass-spring topologies (docs/springs.md)", .choices = topology_names()},
-      {.name = "dynamics.solver", .slot = &dynamics.solver, .unit = "", .help = "time integration scheme of a topology; \"silva\" supports semi-implicit Euler only", .choices = springs::solver_names()},
+      {.name = "dynamics.solver", .slot = &dynamics.solver, .unit = "", .help = "time integration scheme of a topology; \"silva\" supports semi-implicit Euler only", .choices = names_of(springs::solvers)},
       {.name = "dynamics.bend", .slot = &dynamics.bend, .unit = "", .help = "positions of the layers if dynamics.topology is a mass-spring topology: \"linear\" places them on the straight stick; \"paper\" uses B Eq. 4 as printed; \"tangent\" uses B Eq. 4 without the component of the bend along the surface normal", .choices = {"linear", "paper", "tangent"}},
       {"dynamics.bend_power", &dynamics.bend_power, "", 1, 16, "k of B Eq. 4"},
       {"dynamics.mass", &dynamics.mass, "kg", 1e-9, 1000, "m, the mass at a strand's tip"},

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <vector>
+
 #include "harness/error.hpp"
 
 namespace pelage::springs {
@@ -40,14 +42,6 @@ Kind kind_of(const std::string& name) {
 
 Solver solver_of(const std::string& name) {
   return row_named(name, solvers, "solver", "solvers");
-}
-
-std::vector<std::string_view> kind_names() {
-  return names_in(kinds);
-}
-
-std::vector<std::string_view> solver_names() {
-  return names_in(solvers);
 }
 
 }  // namespace pelage::springs

@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace pelage::springs {
 
@@ -31,16 +30,9 @@ inline constexpr Kind Kind::separable_prisms{"separable-prisms", true, true};
 
 extern const std::span<const Kind> kinds;  ///< the table of topologies
 
-inline std::string_view name(const Kind& kind) {
-  return kind.name;
-}
 /// Returns the topology with this name. Throws InputError with a list of the valid names if the name is
 /// unknown.
 Kind kind_of(const std::string& name);
-
-constexpr bool separable(const Kind& kind) {
-  return kind.separable;
-}
 
 inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
   return out << kind.name;
@@ -74,9 +66,6 @@ extern const std::span<const Solver> solvers;  ///< the table of schemes
 inline constexpr Solver highest_order = Solver::rk4;
 inline constexpr Solver default_solver = Solver::semi_implicit_euler;
 
-inline std::string_view name(const Solver& solver) {
-  return solver.name;
-}
 /// Returns the scheme with this name. Throws InputError with a list of the valid names if the name is
 /// unknown.
 Solver solver_of(const std::string& name);
@@ -84,9 +73,5 @@ Solver solver_of(const std::string& name);
 inline std::ostream& operator<<(std::ostream& out, const Solver& solver) {
   return out << solver.name;
 }
-
-/// The names of all topologies and of all solvers, in the order of their tables.
-std::vector<std::string_view> kind_names();
-std::vector<std::string_view> solver_names();
 
 }  // namespace pelage::springs

@@ -18,7 +18,7 @@ using namespace springs::test;
 constexpr int steps = 60;
 
 std::string file_of(Kind kind, Solver solver) {
-  return std::string(name(kind)) + "-" + std::string(name(solver));
+  return std::string(kind.name) + "-" + std::string(solver.name);
 }
 
 // The tests below run this test in a child process.
@@ -27,7 +27,7 @@ TEST(DISABLED_Elsewhere, Topologies) {
   ASSERT_NE(wanted, nullptr);
   for (const Kind kind : kinds)
     for (const Solver solver : solvers) {
-      if (name(kind) != wanted) continue;
+      if (kind.name != wanted) continue;
       MassSprings masses(queue(), build(kind, sphere(1), fur_length), lively(solver));
       masses.advance(queue(), steps);
       leave(file_of(kind, solver), masses.offsets(queue()));
@@ -44,7 +44,7 @@ TEST_P(Topologies, MoveAsTheReferenceDoes) {
   if (!why.empty()) GTEST_SKIP() << why;
   const Elsewhere elsewhere;
   ASSERT_EQ(elsewhere.run(place, "DISABLED_Elsewhere.Topologies", place.slow ? 900 : 200,
-                          "PELAGE_TEST_KIND=" + std::string(name(kind))),
+                          "PELAGE_TEST_KIND=" + std::string(kind.name)),
             "");
   double worst = 0;
   for (const Solver solver : solvers) {

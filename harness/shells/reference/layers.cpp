@@ -153,11 +153,4 @@ glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxe
   return at(n) - at(n - 1);
 }
 
-std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n) {
-  std::vector<glm::dvec3> corners(3 * input.mesh->triangle.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = geometry.position(geometry.slot(i / 3, i % 3), n);
-  return corners;
-}
-
 }  // namespace pelage::reference

@@ -95,7 +95,4 @@ glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant
 /// `share` is the factor of curl.turns before it is rounded to a multiple of 1 / turn_steps.
 glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int n);
 
-/// Returns the three corner positions of every triangle on layer n. n = -1 is the base surface.
-std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n);
-
 }  // namespace pelage::reference

@@ -66,7 +66,8 @@ void for_each_covered(const FrameInput& input, const Droplet& droplet, const Cha
 /// Returns the droplets in the order in which they are blended into the mask: with clump.cells "consistent"
 /// the wettest first, else as given.
 std::vector<Droplet> in_order(const FrameInput& input, int frames) {
-  std::vector<Droplet> droplets = droplets_of_picture(input, frames);
+  std::vector<Droplet> droplets =
+      droplets_at(input.scene.wetness, input.droplets, picture_time(input.scene.dynamics, frames));
   if (input.scene.clump.cells == "consistent")
     std::stable_sort(droplets.begin(), droplets.end(),
                      [](const Droplet& a, const Droplet& b) { return a.wetness > b.wetness; });

@@ -36,7 +36,7 @@ class Panel {
  public:
   Panel(const SpringNetwork& topology, const Mesh& mesh) : topology_(topology), place_(topology.mass.size()) {
     for (std::size_t i = 0; i < place_.size(); ++i) place_[i] = seen(glm::dvec3(topology.mass[i]));
-    if (separable(topology.kind)) pull_in();
+    if (topology.kind.separable) pull_in();
     for (const glm::dvec3& p : place_) low_ = glm::min(low_, p), high_ = glm::max(high_, p);
     const glm::dvec3 size = high_ - low_;
     scale_ = (panel - 2 * margin) / std::max({size.x, size.y, 1e-9});
@@ -52,7 +52,7 @@ class Panel {
     std::string text = fmt::format(
         "<g transform=\"translate({:.0f} {:.0f})\" stroke-width=\"{:.2f}\">\n<text x=\"{:.0f}\" y=\"16\" text-anchor=\"middle\">{}: {} masses, {} springs</text>\n",
         x, y, std::clamp(25 / std::sqrt(double(topology_.spring.size())), 0.35, 1.2), panel / 2,
-        name(topology_.kind), topology_.mass.size(), topology_.spring.size());
+        topology_.kind.name, topology_.mass.size(), topology_.spring.size());
     for (const Item& item : items_) text += item.svg;
     return text + "</g>\n";
   }

@@ -33,7 +33,7 @@ std::vector<glm::uvec2> unique_edges(const Corners& corners) {
 
 std::vector<glm::uvec2> edges_of(Kind kind, const Corners& corners) {
   if (!kind.edges) return {};
-  if (!separable(kind)) return unique_edges(corners);
+  if (!kind.separable) return unique_edges(corners);
   std::vector<glm::uvec2> edges;
   edges.reserve(3 * corners.size());
   for (const glm::uvec3& t : corners)
@@ -66,7 +66,7 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
   SpringNetwork topology;
   topology.kind = kind;
   Corners corners;
-  if (separable(kind)) {
+  if (kind.separable) {
     for (const glm::uvec3& t : mesh.triangle) {
       const auto first = std::uint32_t(topology.copy.size());
       corners.push_back({first, first + 1, first + 2});
@@ -95,7 +95,7 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
   }
   topology.length = length;
   topology.stick_area = area_of(mesh) / double(sticks);
-  if (separable(kind) && gusts == Gusts::triangles)
+  if (kind.separable && gusts == Gusts::triangles)
     for (const glm::uvec3& t : corners) {
       const glm::vec3 centroid = (topology.mass[t.x] + topology.mass[t.y] + topology.mass[t.z]) / 3.0f;
       for (int c = 0; c < 3; ++c) topology.gust_at[t[c]] = centroid;

@@ -28,7 +28,7 @@ std::size_t bytes_of(const cl::Buffer<T>& buffer) {
 Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
     : std::runtime_error(fmt::format(
           "mass {} had diverged after step {} ({:.6g} s) of {} with the time step {} s and the stick stiffness {} N/m; use a shorter time step, more damping or softer springs",
-          mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver), d.step,
+          mass_number, step_number, double(step_number + 1) * double(d.step), d.solver.name, d.step,
           d.stiffness)),
       step(step_number),
       mass(mass_number) {}

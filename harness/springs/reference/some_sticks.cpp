@@ -53,7 +53,7 @@ std::vector<std::uint32_t> spread(const SpringNetwork& topology, std::size_t cou
     return found;
   }
   // In separable topologies the three sticks of a triangle are selected together.
-  const std::size_t together = separable(topology.kind) ? 3 : 1, groups = all / together;
+  const std::size_t together = topology.kind.separable ? 3 : 1, groups = all / together;
   const std::size_t wanted = std::clamp<std::size_t>(count / together, 1, groups);
   for (std::size_t i = 0; i < wanted; ++i)
     for (std::size_t c = 0; c < together; ++c)

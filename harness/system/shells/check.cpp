@@ -37,7 +37,7 @@ void hash_springs(const CheckRequest& request, const std::string& mapping,
     FrameInput input = *prepare(scene, request.mesh);
     for (const springs::Solver solver : springs::solvers) {
       input.scene.dynamics.solver = std::string(solver.name);
-      const std::string what = fmt::format("{}, {}", springs::name(kind), springs::name(solver));
+      const std::string what = fmt::format("{}, {}", kind.name, solver.name);
       Shells shells(request.device, std::make_shared<FrameInput>(input), {mapping, {}});
       try {
         if (solver == springs::default_solver) {

@@ -20,9 +20,9 @@ using namespace test;
 constexpr float length = 0.05f;
 
 void expect_counts(const SpringNetwork& topology, std::size_t masses, std::size_t springs) {
-  EXPECT_EQ(topology.mass.size(), masses) << name(topology.kind);
-  EXPECT_EQ(topology.spring.size(), springs) << name(topology.kind);
-  EXPECT_EQ(topology.copy.size(), topology.sticks()) << name(topology.kind);
+  EXPECT_EQ(topology.mass.size(), masses) << topology.kind.name;
+  EXPECT_EQ(topology.spring.size(), springs) << topology.kind.name;
+  EXPECT_EQ(topology.copy.size(), topology.sticks()) << topology.kind.name;
 }
 
 void expect_formulas(const Mesh& mesh) {
@@ -148,7 +148,7 @@ TEST(Topology, RefusesWhatHasNoMeaning) {
   for (const float bad : {0.0f, -1.0f, NAN, INFINITY})
     EXPECT_THROW(build(Kind::sticks, square(1), bad), InputError) << bad;
   EXPECT_THROW(kind_of("prism"), InputError);
-  for (const Kind kind : kinds) EXPECT_EQ(kind_of(std::string(name(kind))), kind);
+  for (const Kind kind : kinds) EXPECT_EQ(kind_of(std::string(kind.name)), kind);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ template <class Test>
 void for_each_case(const Mesh& mesh, const Test& test) {
   for (const Kind kind : kinds)
     for (const Solver solver : solvers) {
-      SCOPED_TRACE(std::string(name(kind)) + " " + std::string(name(solver)));
+      SCOPED_TRACE(std::string(kind.name) + " " + std::string(solver.name));
       test(kind, solver, build(kind, mesh, fur_length), lively(solver));
     }
 }
@@ -91,7 +91,7 @@ TEST(TopologyDevice, SixHundredLaunchesOfAStepAreOneOfSixHundred) {
     for (const Solver solver : {Solver::explicit_euler, Solver::rk4}) {
       const Dynamics d = lively(solver);
       EXPECT_TRUE(same_bits(after(topology, d, 600, {}, {}, 600), after(topology, d, 600, {}, {}, 1)))
-          << name(kind) << ' ' << name(solver);
+          << kind.name << ' ' << solver.name;
     }
   }
 }
@@ -167,7 +167,7 @@ TEST(TopologyDevice, OneSetOfBitsAtOneLaneAndInLargerGroups) {
     for (const MassSpringOptions& options :
          {MassSpringOptions{0, 64, 0}, MassSpringOptions{1, 0, 0}, MassSpringOptions{1, 16, 2}})
       EXPECT_TRUE(same_bits(once, after(topology, d, 120, options)))
-          << name(kind) << " lanes " << options.lanes << " group " << options.group;
+          << kind.name << " lanes " << options.lanes << " group " << options.group;
   }
 }
 
@@ -213,7 +213,7 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
     MassSprings springs(queue(), topology, d);
     try {
       for (int i = 0; i < 100; ++i) springs.advance(queue(), 10);
-      ADD_FAILURE() << name(kind) << " did not explode";
+      ADD_FAILURE() << kind.name << " did not explode";
     } catch (const Diverged& said) {
       EXPECT_LT(said.step, 1000);
       EXPECT_GE(said.mass, topology.sticks());
@@ -246,13 +246,13 @@ TEST(TopologyDevice, AnExplosionHasOneStepAndMassHoweverTheLaunchesAreCut) {
       } catch (const Diverged& said) {
         return std::pair(said.step, said.mass);
       }
-      ADD_FAILURE() << name(kind) << " did not explode";
+      ADD_FAILURE() << kind.name << " did not explode";
       return std::pair(-1L, std::size_t(0));
     };
     const auto once = lost(100);
-    EXPECT_GT(once.first, 5) << name(kind);
-    EXPECT_EQ(lost(1), once) << name(kind);
-    EXPECT_EQ(lost(7), once) << name(kind);
+    EXPECT_GT(once.first, 5) << kind.name;
+    EXPECT_EQ(lost(1), once) << kind.name;
+    EXPECT_EQ(lost(7), once) << kind.name;
   }
 }
 

@@ -71,9 +71,9 @@ TEST_P(PropertiesOf, OrdersOfConvergence) {
     const double coarse = largest_difference(offsets_after(solver, steps), truth),
                  fine = largest_difference(offsets_after(solver, 2 * steps), truth);
     const double order = std::log2(coarse / fine);
-    std::printf("%s %s: order %.3f, error %.2g of the fur's length\n", name(GetParam()).data(),
-                name(solver).data(), order, fine / length);
-    EXPECT_NEAR(order, solver == Solver::rk4 ? 4 : 1, 0.2) << name(solver);
+    std::printf("%s %s: order %.3f, error %.2g of the fur's length\n", GetParam().name.data(),
+                solver.name.data(), order, fine / length);
+    EXPECT_NEAR(order, solver == Solver::rk4 ? 4 : 1, 0.2) << solver.name;
   }
 }
 
@@ -92,8 +92,8 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
     // Normals, positions and rest lengths have values up to about 1 (lengths in R, the mesh radius). Rounding
     // to floats changes these values by up to 6e-8. Differences of positions on the device have a rounding
     // error of the same size.
-    EXPECT_LT(largest_difference(shim.offsets(), rest), 6e-8) << name(solver);
-    EXPECT_LT(largest_difference(device.offsets(queue()), rest), 1.2e-7) << name(solver);
+    EXPECT_LT(largest_difference(shim.offsets(), rest), 6e-8) << solver.name;
+    EXPECT_LT(largest_difference(device.offsets(queue()), rest), 1.2e-7) << solver.name;
   }
 }
 
@@ -109,7 +109,7 @@ TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
     (i < 500 ? early : late) += energy / 500;
   }
   std::printf("%s: energy from %.3f to %.3f of the start's; mean of the halves %.4f and %.4f\n",
-              name(GetParam()).data(), least / fur.start, most / fur.start, early / fur.start,
+              GetParam().name.data(), least / fur.start, most / fur.start, early / fur.start,
               late / fur.start);
   EXPECT_GT(least, 0.8 * fur.start);
   EXPECT_LT(most, 1.2 * fur.start);

@@ -81,13 +81,13 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
           spread(device.offsets(queue()), {offsets.begin(), offsets.end()}, double(fur_length));
       std::printf(
           "%s %s: rms %.2g, 99%% %.2g, worst %.2g of the fur's length; %ld iterations in %ld solves\n",
-          name(kind).data(), name(solver).data(), error.rms, error.percentile_99, error.worst,
+          kind.name.data(), solver.name.data(), error.rms, error.percentile_99, error.worst,
           device.solves().iterations, device.solves().solves);
       if (kind == Kind::prisms) {
-        EXPECT_LT(error.rms, tolerance::prisms_rms) << name(solver);
-        EXPECT_LT(error.percentile_99, tolerance::prisms_p99) << name(solver);
+        EXPECT_LT(error.rms, tolerance::prisms_rms) << solver.name;
+        EXPECT_LT(error.percentile_99, tolerance::prisms_p99) << solver.name;
       } else {
-        EXPECT_LT(error.worst, tolerance::stick_top) << name(solver);
+        EXPECT_LT(error.worst, tolerance::stick_top) << solver.name;
       }
     }
 }
@@ -236,12 +236,12 @@ TEST(AdaptiveSteps, StayNearTheFineSolutionAsTheToleranceAsks) {
         all += frame.steps;
       }
       const double error = largest_difference(masses.offsets(queue()), fine) / double(fur_length);
-      std::printf("%s, tolerance %g: %ld steps in 30 frames, error %.2g\n", name(solver).data(),
+      std::printf("%s, tolerance %g: %ld steps in 30 frames, error %.2g\n", solver.name.data(),
                   double(tolerance), all, error);
       // The springs are damped, so the errors of early frames decay. The error after 30 frames therefore
       // stays within a small multiple of the tolerance.
-      EXPECT_LT(error, 20 * double(tolerance)) << name(solver);
-      EXPECT_LE(error, 1.01 * before) << name(solver);
+      EXPECT_LT(error, 20 * double(tolerance)) << solver.name;
+      EXPECT_LE(error, 1.01 * before) << solver.name;
       before = std::max(error, 1e-6);
     }
   }

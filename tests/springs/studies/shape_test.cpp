@@ -56,7 +56,7 @@ TEST(Lean, OfUprightFurIsTheBalanceOfMoments) {
       for (int second = 0; second < 8; ++second) masses.advance(queue(), 240);
       const Shape shape = shape_of(topology, masses.offsets(queue()));
       const double expected = balanced_lean(d, force);
-      std::printf("%s, %g N: %.2f degrees, expected %.2f\n", name(kind).data(), force, shape.lean_median,
+      std::printf("%s, %g N: %.2f degrees, expected %.2f\n", kind.name.data(), force, shape.lean_median,
                   expected);
       EXPECT_NEAR(shape.lean_median, expected, 0.05) << kind << ' ' << force;
       EXPECT_NEAR(shape.lean_least, shape.lean_most, 0.05) << kind << ' ' << force;

@@ -176,9 +176,9 @@ TEST(LongestStep, DoesNotDependOnTheInterval) {
     for (const Limit& other : {half, twice, late}) EXPECT_NEAR(other.step / usual.step, 1, 0.03) << kind;
     std::printf(
         "%s: %.2f ms; with half the interval %.2f ms, with twice the interval %.2f ms, with 1 s %.2f ms\n",
-        name(kind).data(), 1e3 * usual.step, 1e3 * half.step, 1e3 * twice.step, 1e3 * late.step);
+        kind.name.data(), 1e3 * usual.step, 1e3 * half.step, 1e3 * twice.step, 1e3 * late.step);
     std::printf("%s: %.1f ms, longest stick %.2f, by the reference %.2f and with a 3%% longer step %.2f\n",
-                name(kind).data(), 1e3 * usual.step, usual.longest,
+                kind.name.data(), 1e3 * usual.step, usual.longest,
                 longest_by_the_reference(topology, d, usual.step),
                 longest_by_the_reference(topology, d, 1.03 * usual.step));
     // An independent program found a longest step of 138 ms for prisms, and of 75 to 78 ms for the other
