@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <iterator>
 
 #include "harness/atomic_file.hpp"
+#include "harness/base/toml_file.hpp"
 #include "harness/cl/measure.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/commands/commands.hpp"
@@ -71,11 +71,6 @@ void print_axes(const std::string& stage, const std::vector<TuningAxis>& axes) {
   }
 }
 
-std::string text_at(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 void store(const fs::path& file, const std::string& stage, const TuningSearch& found,
            const std::string& kernel_hash, const cl::Device& device, const std::vector<NamedInput>& inputs) {
   const cl::DeviceInfo& info = device.info();
@@ -88,7 +83,7 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
   const std::string note =
       fmt::format("{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform,
                   info.driver, utc_now(), build_info().revision.substr(0, 12), kernel_hash, against, scenes);
-  const std::string text = with_stage(fs::exists(file) ? text_at(file) : "", stage, found.best, note);
+  const std::string text = with_stage(fs::exists(file) ? toml_text_of(file) : "", stage, found.best, note);
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
   write_text_atomically(file, text);
   // Checks that the written file can be read back; throws if it cannot.
