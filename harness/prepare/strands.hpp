@@ -11,7 +11,8 @@ namespace pelage {
 /// normalize(n + a). The key fur.comb tilts the strands towards the comb direction, and fur.comb_noise adds a
 /// smoothly varying random tilt. If both keys are 0, the vector from the root to the tip is exactly L0 n. The
 /// maps of `style` multiply L0 and fur.comb.
-FaceSprings make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind, const Style& style = {});
+FaceSprings make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind,
+                         const Style& style = {});
 
 /// Returns the tip of the fur at rest for each surface point. The tip is the position of the point plus a
 /// weighted mean of the vectors FaceSprings::anchor of the triangles around the point.
