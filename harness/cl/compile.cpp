@@ -91,7 +91,7 @@ CompileProcesses::CompileProcesses(const Device& device, const std::vector<Progr
   std::error_code failed;
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe", failed).string(),
                                  std::string(compile_word), info.spec(), kernel_folder().string()};
-  std::string queue;
+  std::string queue;  // an index is a byte, so there are at most 127
   for (const ProgramText& text : texts) {
     const Hash hash = Hash().text(info.name).text(info.driver).text(build_key(text));
     const fs::path note = cache / ("pelage-" + hash.hex());

@@ -45,7 +45,7 @@ typedef struct {
   int mask_size;
   float clump_shape;                          // w of S Eq. 5
   float clump_gain;
-  int clump_scale;                          // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
+  int clump_scale;                            // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
   int clump_cells;                            // CELLS_SEPARATE, ...: the scene key clump.cells
   float log_layers;                           // k = ln N, for S Eq. 5
   int film;                                   // 1: a smooth film of water replaces the clumps of soaked fur (docs/shells.md, section 11)
