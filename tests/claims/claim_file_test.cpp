@@ -173,7 +173,10 @@ TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
            {claim_text(level, limit) + claim_text(level, limit), ":7: two claims have the id c"}})
     EXPECT_EQ(message(text), "claims.toml" + wanted);
   EXPECT_EQ(message("[[claim]\n").substr(0, 23), "claims.toml:1: not TOML");
-  EXPECT_NE(message("separate_processes = 0\n" + claim_text(level, limit)), "");
+  for (const int wrong : {0, 1001})
+    EXPECT_NE(message(fmt::format("separate_processes = {}\n", wrong) + claim_text(level, limit)), "");
+  for (const int right : {1, 1000})
+    EXPECT_EQ(message(fmt::format("separate_processes = {}\n", right) + claim_text(level, limit)), "");
 }
 
 TEST(ClaimFiles, MustExist) {

@@ -189,7 +189,7 @@ TEST_F(Commands, CheckFailsOnKernelsThatAreWrong) {
   fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path / "kernels", fs::copy_options::recursive);
   // The test inserts a mistake into a copy of the kernels: it halves the wetness of all droplets.
   folder.edit("kernels/wet/equations.clh", ": drop.wetness;", ": 0.5f * drop.wetness;");
-  const Outcome outcome = pelage("--kernels kernels check mask --filter 'torus.*wet'");
+  const Outcome outcome = pelage("--kernels kernels check mask --mapping pixel --filter 'torus.*wet'");
   EXPECT_EQ(outcome.code, 1) << outcome.out << outcome.err;
   expect_has(outcome.out, "FAILED");
 }

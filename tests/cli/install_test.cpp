@@ -41,13 +41,15 @@ TEST_F(Install, ExperimentsAndModelsAreTheInstalledOnes) {
 }
 
 TEST_F(Install, PicturesNeedTheInstalledKernelsAndTheImageModule) {
-  const std::string render = "render --model torus --size 48x32 --set fur.layers=4 --set fur.texture=32 ";
+  const std::string render =
+      "render --model torus --mapping pixel --size 48x32 --set fur.layers=4 --set fur.texture=32 ";
   installed(render + "-o a.exr");
   EXPECT_GT(fs::file_size(folder->path / "a.exr"), 100u);
-  const std::string kernel = "inst/share/pelage/kernels/rasterize/tile/tile.cl", text = folder->read(kernel);
+  const std::string kernel = "inst/share/pelage/kernels/rasterize/pixel/pixel.cl",
+                    text = folder->read(kernel);
   ASSERT_FALSE(text.empty());
   folder->write(kernel, "this is no kernel\n");
-  installed(render + "--mapping tile -o b.png", 1);
+  installed(render + "-o b.png", 1);
   folder->write(kernel, text);
   fs::rename(folder->path / "inst/share/pelage/shaders", folder->path / "inst/share/pelage/away");
   expect_has(output_of(*folder, "inst/bin/pelage " + render + "--pipeline opengl -o c.png || true"),

@@ -189,7 +189,7 @@ TEST_F(Results, AFullDiskLeavesARunThatCanBeContinued) {
 TEST(Caches, WithoutAWritableCacheKernelsAreCompiledIntoATemporaryFolder) {
   const Folder folder;
   expect_has(
-      done(folder, "render -o a.png --model torus-24x12 --size 16x16 --set fur.layers=2",
+      done(folder, "render -o a.png --model torus-24x12 --size 16x16 --mapping pixel --set fur.layers=2",
            "HOME=/proc XDG_CACHE_HOME=/proc/none POCL_CACHE_DIR= TMPDIR='" + folder.path.string() + "'")
           .err,
       "/proc/none/pocl/kcache cannot be written");

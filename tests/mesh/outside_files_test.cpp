@@ -33,7 +33,7 @@ struct OutsideFiles : test::InFolder {};
 
 TEST_F(OutsideFiles, AreThoseThatTheGltfFileNames) {
   folder.write("a b.bin", buffer(1));
-  EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20b.bin"))),
+  EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20b.bi%6E"))),
             std::vector<fs::path>{folder.path / "a b.bin"});
   EXPECT_TRUE(
       detail::gltf_files(folder.write("b.gltf", gltf_with("data:application/octet-stream;base64,AAAA")))

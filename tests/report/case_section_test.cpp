@@ -58,6 +58,17 @@ TEST(CaseSection, CasesWithoutPublishedNumbersOfTable1ShowFramesPerSecond) {
   test::expect_has(text_of(table), "Frames per second: 1000 divided by");
 }
 
+TEST(CaseSection, NamesCasesWhoseTimesDrift) {
+  auto rows = test::table1_rows();
+  rows.resize(1);
+  rows[0].row.metrics.erase("paper_fps");
+  test::expect_lacks(text_of(sections(rows).at(0).table), "drift");
+  auto& times = rows[0].row.samples["frame"].wall_ms;
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = 10 + 0.1 * double(i);
+  test::expect_has(text_of(sections(rows).at(0).table),
+                   "Times drift during the run: torus, 16 layers, 800x600 (+18.2%)");
+}
+
 TEST(CaseSection, NamesCasesWithEqualPictures) {
   std::vector<FoundRow> rows = test::own_rows({{"mood", {"dry", "soaked", "windy"}}});
   rows[0].row.image_hash = rows[1].row.image_hash = "0000000000000001";
