@@ -1,9 +1,9 @@
 // Values of a layer that its vertices and fragments need. The host computes three rows of values per layer
 // (harness/shells/opengl/scene_glsl.cpp). docs/shells.md defines the symbols below.
 //   `bend`: the vertex is displaced by bend.x A + bend.y B + bend.z u + bend.w v, where u and v are the curl's axes.
-//   `step`: the strand direction dB(n) is step.x A + step.y B.
+//   `step`: the strand direction dbeta(n) is step.x A + step.y B.
 //   `look`: look.x is f(h_n) and look.y is f(h_n) - f(h_(n-1)), both for the displacement by clumps. look.z is
-//   gamma(h_n), a factor of the light. look.w is n, the number of the layer.
+//   gamma or gamma_occ, a factor of the light. look.w is n, the number of the layer.
 #ifdef INSTANCED
 layout(std140, binding = 0) uniform Layers { vec4 layers[3 * LAYERS]; };
 #define LAYER_BEND layers[3 * gl_InstanceID]

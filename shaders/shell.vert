@@ -17,7 +17,7 @@ layout(binding = 4) uniform sampler2D turns;  // texel (k, n): h cos(wh) and h s
 out vec2 uv;
 out vec3 normal;
 #ifndef SKIN
-out vec3 rise;  // dB(n): displacement of the layer minus that of the layer below
+out vec3 rise;  // dbeta(n): displacement of the layer minus that of the layer below
 #ifdef INSTANCED
 flat out vec4 look;
 #endif

@@ -63,10 +63,10 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
   const std::vector<float> projection{focal, 0, 0, 0, 0, focal, 0, 0, 0, 0, 0, camera.near, 0, 0, 1, 0};
   file.write(
       "camera/view", {4, 4}, view, "R",
-      "row-major matrix; its product with (p, 1) is (x, y, z, 1), where x, y and z are the distances of the point p from the eye to the right, downwards and forwards");
+      "row-major matrix; its product with (p, 1) is (x, y, z, 1): the point p is x to the right of the eye, y below and z in front of it");
   file.write(
-      "camera/projection", {4, 4}, projection, "pixels",
-      "row-major matrix; to project a point, multiply this matrix by the vector that camera/view gives; the result is (x w, y w, near, w); x and y: coordinates in pixels to the right and downwards from the picture's centre; w: view depth; near: view depth of the near plane");
+      "camera/projection", {4, 4}, projection, "pixels R, pixels R, R, R",
+      "row-major matrix; its product with the vector that camera/view gives is (X, Y, near, w), with X, Y and w as in camera/rows and near = camera/near");
 }
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
@@ -74,15 +74,15 @@ void write_strand_rules(Hdf5File& file, const FaceSprings& strands) {
   file.write("strand/normal", strands.normal, "1", "unit normals n of the triangles");
   file.write(
       "strand/anchor", strands.anchor, "R",
-      "vectors from the roots to the rest positions of the tips; their length is fur.length, or with fur.length_map that of the strand");
+      "vectors from the roots to the rest positions of the tips; their length is fur.length, with fur.length_map times style/length");
   file.write("strand/phase", strands.phase, "1", "cosine and sine of the wind gust's phase at the root");
   file.write("weight/row", strands.row, "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", strands.face, "1",
-             "index of the strand of each entry, which is also the index of the strand's triangle");
+             "index of the face spring of each entry, which is also that of its triangle");
   file.write(
       "weight/value", strands.weight, "1",
-      "weight of each entry: area of the triangle, divided by the total area of all triangles at the surface point; the weights of a point sum to 1");
+      "weight of each entry: area of its triangle, divided by the area of all triangles at the surface point");
 }
 
 void write_scene_text(Hdf5File& file, const Scene& scene) {
@@ -109,21 +109,22 @@ void write_shape(Hdf5File& file, const Mesh& mesh) {
   file.write(
       "mesh/triangle", mesh.triangle, "1",
       "indices of each triangle's three vertices, counter-clockwise seen from outside; triangles are drawn in this order");
-  file.write("mesh/uv", mesh.uv, "UV", "texture coordinates");
-  file.write("mesh/point", mesh.weld, "1",
-             "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
+  file.write("mesh/uv", mesh.uv, "UV", "texture coordinates (u, v) of each vertex");
+  file.write("mesh/point", mesh.weld, "1", "index of each vertex's surface point");
 }
 
 /// Writes the normals, the tangents and the frames of the curl.
 void write_mesh(Hdf5File& file, const FrameInput& input) {
   file.write("mesh/normal", vertex_normals(input), "1", "unit surface normals at the vertices");
-  file.write("tangent/t", input.tangents.t, "R/UV", "derivative of the surface position with respect to u");
-  file.write("tangent/b", input.tangents.b, "R/UV", "derivative of the surface position with respect to v");
+  file.write("tangent/t", input.tangents.t, "R/UV",
+             "derivative of the surface position with respect to u, at each vertex");
+  file.write("tangent/b", input.tangents.b, "R/UV",
+             "derivative of the surface position with respect to v, at each vertex");
   file.write("curl/u", input.curl.u, "1", "first axis of the curl at each surface point, unit length");
   file.write("curl/v", input.curl.v, "1", "second axis of the curl at each surface point, unit length");
   file.write(
       "curl/mask_uv", input.curl.mask_uv, "UV",
-      "UV at which the wetness mask is read for each surface point; this is the UV of the first of the point's vertices");
+      "UV at which the curl at each surface point reads the wetness mask: the UV of the point's first vertex");
 }
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -135,15 +136,17 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
     rest.assign(tops, topology.mass.end());
   }
   file.write("strand/root", root, "R", "roots: centroids of the triangles, or bases of the sticks");
-  file.write("strand/rest", rest, "R",
-             "positions of the tips at rest: root + anchor, or for sticks root + L0 n");
-  file.write("strand/tip", sum(root, output.tips), "R", "positions of the tips in this frame: root + q");
+  file.write(
+      "strand/rest", rest, "R",
+      "positions of the tips at rest: strand/root + strand/anchor, or for sticks strand/root + fur.length stick/normal");
+  file.write("strand/tip", sum(root, output.tips), "R",
+             "positions of the tips in this frame: strand/root + strand/offset");
   file.write("strand/offset", output.tips, "R",
              "q of this frame: positions of the tips relative to the roots");
   file.write("strand/velocity", output.velocities, "R/s", "v of this frame: velocities of the tips");
   if (has_springs(input.scene.dynamics))
     file.write("stick/normal", input.stick_normal, "1",
-               "direction at rest of the stick at each surface point, unit length");
+               "direction at rest of the sticks at each surface point, unit length");
   else
     write_strand_rules(file, input.strands);
 }
@@ -153,27 +156,29 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   const auto write = [&](const char* name, auto Droplet::*member, const char* units, const char* what) {
     file.write(name, column(input.droplets, member), units, what);
   };
-  write("droplet/centre", &Droplet::centre, "UV", "centres c_drop of the droplets, in the order of blending");
+  write("droplet/centre", &Droplet::centre, "UV",
+        "centres c_drop of the droplets; docs/shells.md, section 2, defines the order of blending");
   write("droplet/radius", &Droplet::radius, "UV", "radii r_drop of the droplets");
-  write("droplet/wetness", &Droplet::wetness, "1", "wetness rho_drop of the soaked droplets");
+  write("droplet/wetness", &Droplet::wetness, "1", "wetness rho_drop of each droplet when it has soaked in");
   write("droplet/arrival", &Droplet::arrival, "s", "times at which the droplets arrive");
-  file.write("droplet/rho", wetness_of_picture(input, output.frames), "1",
-             "rho, the wetness of the droplets in this picture; 0: not blended into the mask");
-  write("droplet/point", &Droplet::point, "R",
-        "surface point whose UV is the centre of the droplet or of the droplet that this one repeats");
+  file.write(
+      "droplet/rho", wetness_of_picture(input, output.frames), "1",
+      "rho, the wetness of each droplet in this picture; if the water changes (docs/shells.md, section 10), droplets with 0 are not blended into the mask");
+  write(
+      "droplet/point", &Droplet::point, "R",
+      "surface point whose UV is the droplet's centre; a repetition has the point of the droplet that it repeats");
   write("droplet/reach", &Droplet::reach, "R",
-        "largest distance at which a droplet wets the surface, measured from the droplet's surface point");
+        "largest distance from droplet/point at which the droplet wets the surface");
   std::vector<std::uint32_t> number = column(input.droplets, &Droplet::number);
   for (std::uint32_t i = 0; i < number.size(); ++i)
     if (number[i] == Droplet::alone) number[i] = i;
   file.write("droplet/number", number, "1",
-             "adjacent droplets of equal number are one droplet and its repetitions across UV seams");
-  file.write(
-      "mask_surface", {side, side}, input.mask_surface, "R",
-      "surface point at the centre of each texel of the wetness mask; the axes of the array are v and u");
+             "number of the droplet; adjacent entries of equal number are a droplet and its repetitions");
+  file.write("mask_surface", {side, side}, input.mask_surface, "R",
+             "surface point at the centre of each texel of the wetness mask; axes: v, u");
   file.write(
       "mask", {side, side}, output.mask, "UV, UV, UV, 1",
-      "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 if no droplet touches the texel; the axes of the array are v and u");
+      "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 in a texel without a clump; axes: v, u");
 }
 
 void write_textures(Hdf5File& file, const FrameInput& input) {
@@ -181,17 +186,17 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
   const auto layers = static_cast<std::size_t>(fur.layers), coat = static_cast<std::size_t>(input.coat.size);
   for (std::size_t level = 0; level < fur.level.size(); ++level) {
     const std::size_t side = static_cast<std::size_t>(fur.size) >> level;
-    file.write(
-        level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side}, fur.level[level],
-        "1/255, 1/127.5",
-        "coverage of the fur, and factor that multiplies the coat's colour; the axes of the array are layer, v and u");
+    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side}, fur.level[level],
+               "1/255, 1/127.5",
+               level == 0
+                   ? "coverage of the fur, and its shade, a factor of the coat's colour; axes: layer, v, u"
+                   : "mip level of fur");
   }
   file.write(
       "fur_scale", std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
-      "number of repeats of the fur texture per unit of u and of v: fur.tile l_u and fur.tile l_v, rounded to integers of at least 1 if the UV map is periodic");
-  file.write(
-      "colour", {coat, coat}, input.coat.texel, "1/255",
-      "colours of the coat in gamma space (R, G, B and an unused channel); the axes of the array are v and u");
+      "number of repeats of the fur texture per unit of u and of v: fur.tile l_u and fur.tile l_v (docs/shells.md, section 2), rounded to integers of at least 1 if the UV map is periodic");
+  file.write("colour", {coat, coat}, input.coat.texel, "1/255",
+             "colours of the coat in gamma space (red, green, blue and an unused channel); axes: v, u");
 }
 
 /// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the
@@ -214,7 +219,7 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   }
   file.write(
       "layer/offset", {layers, geometry.slots()}, offset, "R",
-      "displacement B + phi of each vertex of each layer, or of each corner of a triangle if the layers of neighbouring triangles are not connected; by the reference, with sticks from `strand/offset`");
+      "position of each vertex in each layer, minus mesh/position; one entry per corner of a triangle if the layers of neighbouring triangles are not connected");
 }
 
 /// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh
@@ -224,7 +229,7 @@ void write_style(Hdf5File& file, const FrameInput& input) {
   const auto write = [&](const char* name, const std::vector<float>& values, const char* what) {
     if (!values.empty()) file.write(name, values, "1", what);
   };
-  write("style/length", style.length, "factor of fur.length of each strand");
+  write("style/length", style.length, "factor of fur.length of each face spring");
   write("style/comb", style.comb, "factor of fur.comb at each surface point");
   write("style/radius", style.curl_radius, "factor of curl.radius at each surface point");
   write("style/turns", style.curl_turns, "factor of curl.turns at each surface point");
@@ -238,10 +243,10 @@ void write_style(Hdf5File& file, const FrameInput& input) {
       "contact/field",
       {std::size_t(field->nodes.z), std::size_t(field->nodes.y), std::size_t(field->nodes.x)},
       field->distance, "1",
-      "distances from the mesh among the colliders, divided by contact.mesh_scale, negative inside; the axes of the array are z, y and x");
+      "distances from the mesh among the colliders at the nodes of a grid, divided by contact.mesh_scale, negative inside; axes: z, y, x");
   file.write(
       "contact/grid", std::array{field->origin.x, field->origin.y, field->origin.z, field->cell}, "1",
-      "position of the field's first node relative to the mesh, and the distance of adjacent nodes, both divided by contact.mesh_scale");
+      "position of the field's first node relative to the centre of the mesh, and distance of adjacent nodes, both divided by contact.mesh_scale");
 }
 
 }  // namespace
@@ -249,7 +254,7 @@ void write_style(Hdf5File& file, const FrameInput& input) {
 void write_camera(Hdf5File& file, const Camera& camera) {
   file.write(
       "camera/rows", std::array{camera.row_x, camera.row_y, camera.row_w}, "pixels R, pixels R, R",
-      "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates X, Y and w");
+      "row_x, row_y and row_w; their dot products with (p, 1) are X, Y and w: the point p is X / w pixels to the right of the picture's centre and Y / w below it, at the view depth w");
   file.write("camera/eye", {}, std::array{camera.eye}, "R", "position of the eye");
   file.write(
       "camera/ray", std::array{camera.ray, camera.ray_dx, camera.ray_dy}, "1, 1/pixel, 1/pixel",
@@ -296,7 +301,7 @@ void write_dump(const std::filesystem::path& path, const DumpedFrame& frame,
     file.write(
         "image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)}, image.pixel,
         "1",
-        "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the coverage of the fur elsewhere");
+        "RGBA in gamma space, top row first; alpha is 1 where the base surface covers the pixel, else the combined coverage of the fur");
     file.close();
   });
 }

@@ -18,25 +18,28 @@ void write_strand_columns(Hdf5File& file, const StrandInput& input, const std::v
     file.write(name, dump::column(strands, value), units, what);
   };
   key("key/root", &KeyStrand::root, "R", "root of each key strand, in the object's frame");
-  key("key/normal", &KeyStrand::normal, "1", "normal n of the skin at the root");
-  key("key/first", &KeyStrand::first, "1", "direction u of the first segment");
-  key("key/second", &KeyStrand::second, "1", "direction w of the second segment");
-  key("key/rest", &KeyStrand::rest, "1", "direction d at rest");
+  key("key/normal", &KeyStrand::normal, "1", "normal n of the skin at the root of each key strand");
+  key("key/first", &KeyStrand::first, "1", "direction u of the first segment of each key strand");
+  key("key/second", &KeyStrand::second, "1", "direction w of the second segment of each key strand");
+  key("key/rest", &KeyStrand::rest, "1", "direction d of each key strand at rest");
   strand("strand/key", &KeyedStrand::key, "1", "indices of the three key strands around each strand");
   strand("strand/weight", &KeyedStrand::weight, "1",
          "barycentric weights s and t of the second and of the third key strand");
   strand(
       "strand/colour",
       [](const auto& s) { return glm::vec3(s.colour[0], s.colour[1], s.colour[2]) / 255.0f; }, "1",
-      "colour c, gamma-encoded RGB");
+      "colour c of each strand, gamma-encoded RGB");
   strand(
       "strand/layer", [](const auto& s) { return std::uint32_t(s.layer); }, "1",
-      "number of the fur layer of each strand");
-  strand("strand/length", &KeyedStrand::length, "R", "length L of each strand");
-  strand("strand/width", &KeyedStrand::width, "R", "width at the root");
-  strand("strand/response", &KeyedStrand::response, "1", "factor of the movement away from d");
-  strand("strand/twist", &KeyedStrand::twist, "degrees", "rotation about n");
-  strand("strand/curvature", &KeyedStrand::curvature, "degrees", "rotation of the second segment");
+      "number of the fur layer of each strand, from 0");
+  strand("strand/length", &KeyedStrand::length, "R", "length of each strand");
+  strand("strand/width", &KeyedStrand::width, "R",
+         "width of each strand at the root, before the level of detail widens the strands");
+  strand("strand/response", &KeyedStrand::response, "1",
+         "response, the factor of a strand's movement away from d");
+  strand("strand/twist", &KeyedStrand::twist, "degrees", "angle by which twist rotates u and w about n");
+  strand("strand/curvature", &KeyedStrand::curvature, "degrees",
+         "angle by which curvature rotates w about n x u");
 }
 
 void write_curves(Hdf5File& file, const StrandFrame& frame) {
@@ -44,33 +47,35 @@ void write_curves(Hdf5File& file, const StrandFrame& frame) {
   file.write("curve/point", column(frame.curves, &DrawnStrand::point), "R",
              "control points root, joint and tip of each strand, in the object's frame");
   file.write("curve/normal", column(frame.curves, &DrawnStrand::normal), "1",
-             "normal of the skin at the root");
+             "normal of the skin at the root of each strand");
   file.write("order/key", column(frame.order, &Entry::key), "1",
              "sort keys of the strands in the picture, from front to back");
-  file.write("order/strand", column(frame.order, &Entry::strand), "1", "indices of these strands");
+  file.write("order/strand", column(frame.order, &Entry::strand), "1",
+             "indices of the strands in the picture, in the order of order/key");
 }
 
 void write_look(Hdf5File& file, const StrandInput& input) {
   using dump::column;
   file.write("order/depth", std::array{input.range.nearest, input.range.per_depth}, "R, 1/R",
-             "nearest and per_depth of the depth steps");
+             "nearest and per_depth of the depth steps (docs/strands.md, section Order)");
   file.write("light/fill",
              column(input.look.fills,
                     [](const auto& f) {
                       return std::array{f.direction, f.colour};
                     }),
-             "1", "direction towards each fill light, of any length, and its colour");
+             "1", "direction towards each fill light, of any length, and the light's colour");
   const auto layer = [](const LayerLook& l) {
     return std::array{std::uint32_t(l.rank), std::uint32_t(l.first_frame), std::uint32_t(l.frames)};
   };
   file.write(
       "light/layer", column(input.look.layers, layer), "1",
-      "rank of each fur layer in the sort keys, its first film frame, and its number of film frames, which is 1 without a film strip");
+      "rank of each fur layer in the sort keys, index of its first frame in light/film, and number of its frames, which is 1 without a film strip");
   std::vector<std::array<std::uint8_t, 3>> film;
   for (const FilmFrame& frame : input.look.film)
     for (const FilmSample& sample : frame) film.push_back({sample.luminance, sample.gloss, sample.opacity});
-  file.write("light/film", {input.look.film.size(), std::size(FilmFrame{})}, film, "1",
-             "frames of the film strip: luminance and gloss (128 means 1), opacity (255 means 1)");
+  file.write(
+      "light/film", {input.look.film.size(), std::size(FilmFrame{})}, film, "1",
+      "frames of the film strips, from root to tip: luminance and gloss (128 means 1), opacity (255 means 1)");
 }
 
 void write_skin(Hdf5File& file, const SkinSurface& skin, bool deforms) {

@@ -29,10 +29,10 @@ glm::dvec3 sample_coat(const CoatTexture& coat, const glm::dvec2& uv);
 
 /// The view ray meets one strand at the top of the slab and another strand at the bottom. Returns the offset
 /// from the root of the first strand to the root of the second strand, in R (the radius of the mesh's
-/// bounding sphere). `step` is D, the vector along a strand from the bottom of the slab to its top, in R.
+/// bounding sphere). `step` is the vector along a strand from the bottom of the slab to its top, in R.
 /// `normal` is the unit normal nu of the surface, and `eye` is the unit direction E of the ray. The offset is
-/// D - ((D.nu) / e) * E. Here e is E.nu with a magnitude of at least .25: min(E.nu, -.25) if E.nu < 0, else
-/// max(E.nu, .25). If |E.nu| >= .25, the offset is in the tangent plane.
+/// step - ((step.nu) / e) * E. Here e is E.nu with a magnitude of at least .25: min(E.nu, -.25) if E.nu < 0,
+/// else max(E.nu, .25). If |E.nu| >= .25, the offset is in the tangent plane.
 glm::dvec3 root_shift(const glm::dvec3& step, const glm::dvec3& normal, const glm::dvec3& eye);
 
 /// Returns the coordinates (u, v) of `delta` in the basis of the surface tangents t = dX/du and b = dX/dv. If
