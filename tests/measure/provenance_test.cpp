@@ -46,7 +46,9 @@ TEST(Provenance, NamesVariablesOfPoclForCpus) {
     const nlohmann::ordered_json json = device_provenance(info);
     EXPECT_EQ(json.value("pocl_affinity", ""), cpu ? "1" : "");
     EXPECT_EQ(json.contains("environment"), cpu);
-    if (cpu) EXPECT_EQ(json.at("environment").value("POCL_MAX_PTHREAD_COUNT", ""), "3");
+    if (cpu) {
+      EXPECT_EQ(json.at("environment").value("POCL_MAX_PTHREAD_COUNT", ""), "3");
+    }
   }
   unsetenv("POCL_AFFINITY");
   unsetenv("POCL_MAX_PTHREAD_COUNT");

@@ -62,10 +62,10 @@ TEST(CaseSection, NamesCasesWhoseTimesDrift) {
   auto rows = test::table1_rows();
   rows.resize(1);
   rows[0].row.metrics.erase("paper_fps");
-  test::expect_lacks(text_of(sections(rows).at(0).table), "drift");
+  test::expect_lacks(text_of(test::sections(rows).at(0).table), "drift");
   auto& times = rows[0].row.samples["frame"].wall_ms;
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = 10 + 0.1 * double(i);
-  test::expect_has(text_of(sections(rows).at(0).table),
+  test::expect_has(text_of(test::sections(rows).at(0).table),
                    "Times drift during the run: torus, 16 layers, 800x600 (+18.2%)");
 }
 

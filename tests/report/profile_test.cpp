@@ -25,7 +25,8 @@ TEST(Profile, TheTableHasRatesAndSharesOfTheBandwidth) {
                    {"torus-16,9360,2,3000000,2000000,1000000,tile_shells,raster,0.5,1000000,2\n",
                     "bin_fill,bin,0.25,500000,2\n"});
   const std::string text = text_of(one_frame(), bandwidth);
-  test::expect_has(text, {"0.500   25.0%      1.00     2.00     5.0%", "between kernels            1.250   62.5%"});
+  test::expect_has(text,
+                   {"0.500   25.0%      1.00     2.00     5.0%", "between kernels            1.250   62.5%"});
 }
 
 TEST(Profile, KernelsOfTwoPhasesAreNamedWithTheirPhase) {
