@@ -79,7 +79,7 @@ void write_strand_rules(Hdf5File& file, const FaceSprings& strands) {
   file.write("weight/row", strands.row, "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", strands.face, "1",
-             "index of the face spring of each entry, which is also that of its triangle");
+             "index of the face spring of each entry; the triangle of this face spring has the same index");
   file.write(
       "weight/value", strands.weight, "1",
       "weight of each entry: area of its triangle, divided by the area of all triangles at the surface point");

@@ -57,7 +57,7 @@ void write_curves(Hdf5File& file, const StrandFrame& frame) {
 void write_look(Hdf5File& file, const StrandInput& input) {
   using dump::column;
   file.write("order/depth", std::array{input.range.nearest, input.range.per_depth}, "R, 1/R",
-             "nearest and per_depth of the depth steps (docs/strands.md, section Order)");
+             "values that define the depth steps: nearest and per_depth (docs/strands.md, section Order)");
   file.write("light/fill",
              column(input.look.fills,
                     [](const auto& f) {
