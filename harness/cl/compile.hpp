@@ -41,10 +41,11 @@ class CompileProcesses {
   bool stopped_ = false;
 };
 
-/// The work of a process: builds programs and launches each of their kernels over one work-group, with
-/// numbers and memory of zeros, because PoCL compiles a kernel at its launch. `words`: the arguments after
-/// `compile_word`. Each byte on stdin is the index of a program among them. Returns the exit code of the
-/// process. If a build or a kernel takes more than 60 s, the process is killed.
+/// The work of a process: builds programs and launches each of their kernels over one work-group of the usual
+/// size, with numbers and memory of zeros, because PoCL compiles a kernel at its launch, for the size of the
+/// groups. A kernel with groups of another size (the mapping `pixel`, tuned sizes) remains for the caller.
+/// `words`: the arguments after `compile_word`. Each byte on stdin is the index of a program among them.
+/// Returns the exit code of the process. If a build or a kernel takes more than 60 s, the process is killed.
 int compile_kernels(std::span<char* const> words);
 
 }  // namespace pelage::cl

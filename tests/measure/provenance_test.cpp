@@ -30,8 +30,7 @@ TEST(Provenance, NamesTheHostAndItsSystem) {
 }
 
 TEST(Provenance, CanBeAnonymous) {
-  const nlohmann::ordered_json json =
-      host_provenance({"/home/me/pelage", "a/b.toml", "--set=x=a/b", "c"}, true);
+  const nlohmann::ordered_json json = host_provenance({"/a/pelage", "a/b.toml", "--set=x=a/b", "c"}, true);
   EXPECT_EQ(json.at("host"), "anonymous");
   EXPECT_EQ(json.at("argv"), (std::vector<std::string>{"pelage", "b.toml", "--set=x=a/b", "c"}));
 }
