@@ -130,10 +130,10 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
   std::vector<glm::vec3> root = input.strands.root, rest = sum(root, input.strands.anchor);
   if (has_springs(input.scene.dynamics)) {
-    const springs::SpringNetwork topology = springs::topology_of(input);
-    const auto tops = topology.mass.begin() + std::ptrdiff_t(topology.sticks());
-    root.assign(topology.mass.begin(), tops);
-    rest.assign(tops, topology.mass.end());
+    const springs::SpringNetwork network = springs::network_of(input);
+    const auto tops = network.mass.begin() + std::ptrdiff_t(network.sticks());
+    root.assign(network.mass.begin(), tops);
+    rest.assign(tops, network.mass.end());
   }
   file.write("strand/root", root, "R", "roots: centroids of the triangles, or bases of the sticks");
   file.write(

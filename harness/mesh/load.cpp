@@ -139,13 +139,13 @@ Surface mapped(const Surface& component, Model model, const std::string& label, 
   const Surface proxy = proxy_of(component, model, coarse, stages.parts());
   stages.begin("choosing the cuts for the UV map" + of);
   const auto unfold_proxy = [](const Surface& surface, const CutPlan& plan, const std::string& name) {
-    return unfold_large(surface, plan, name);
+    return unfold_file(surface, plan, name);
   };
   std::vector<TriedPlan> plans = plan_cuts(proxy, label, unfold_proxy, stages.parts());
   stages.begin("computing the UV map" + of);
   return unfold_first(component, std::move(plans), label,
                       [&](const Surface& surface, const CutPlan& plan, const std::string& name) {
-                        return unfold_large(surface, plan, name, stages.parts());
+                        return unfold_file(surface, plan, name, stages.parts());
                       });
 }
 
@@ -197,7 +197,7 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
     tell();
     stages.begin("choosing the cuts for the UV map");
     const std::vector<TriedPlan> plans =
-        plan_cuts(proxy_of(surface, model, 6000), source.label, unfold, stages.parts());
+        plan_cuts(proxy_of(surface, model, 6000), source.label, unfold_model, stages.parts());
     if (model.faces) {
       stages.begin("changing the number of faces");
       surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label, stages.parts());

@@ -89,7 +89,7 @@ Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans,
   double least = std::numeric_limits<double>::infinity();
   for (const TriedPlan& tried : plans) {
     try {
-      Surface unfolded = unfold(surface, tried.plan, name);
+      Surface unfolded = unfold_model(surface, tried.plan, name);
       const double there = plans.size() == 1 ? 0 : cost(unfolded, name);
       if (there < least) least = there, best = std::move(unfolded);
     } catch (const InputError&) {

@@ -97,7 +97,7 @@ MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surf
   return quality;
 }
 
-Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name) {
+Surface unfold_model(const Surface& surface, const CutPlan& plan, const std::string& name) {
   const Disk disk = cut_open(surface, plan);
   need_cut(surface, disk, name);
   Polyhedron mesh = flat_mesh(surface, disk);

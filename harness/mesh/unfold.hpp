@@ -79,12 +79,12 @@ using Unfold = std::function<Surface(const Surface& surface, const CutPlan& plan
 /// Computes the UV map of a named model by CGAL. The map is as rigid as possible (Liu et al. 2008, lambda
 /// 1000, 10 iterations). If this map is not usable, CGAL computes mean-value coordinates on a circle instead.
 /// Named models keep these methods so that their meshes stay bitwise identical in later versions of pelage.
-Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name);
+Surface unfold_model(const Surface& surface, const CutPlan& plan, const std::string& name);
 
 /// Computes the UV map of a mesh file by flatten(), which is suitable for large meshes. During the
 /// computation, `part` is called with the completed fraction of the work, 0 to 1.
-Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::string& name,
-                     const std::function<void(double)>& part = {});
+Surface unfold_file(const Surface& surface, const CutPlan& plan, const std::string& name,
+                    const std::function<void(double)>& part = {});
 
 /// A cut plan and the cost of its UV map.
 struct TriedPlan {

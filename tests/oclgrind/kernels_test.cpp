@@ -171,12 +171,12 @@ TEST(DISABLED_Tiny, Topologies) {
 // one launch. With Whole::never, every part of a step is a separate launch.
 TEST(DISABLED_Tiny, PrismsInManyLaunches) {
   const cl::Queue queue(device());
-  const springs::SpringNetwork topology = springs::topology_of(*tiny("prisms", "rk4", 1));
+  const springs::SpringNetwork network = springs::network_of(*tiny("prisms", "rk4", 1));
   for (const springs::Solver solver : springs::solvers) {
     springs::Dynamics dynamics;
     dynamics.solver = solver;
     dynamics.motion.spin = 1;
-    springs::MassSprings masses(queue, topology, dynamics,
+    springs::MassSprings masses(queue, network, dynamics,
                                 {.whole = springs::MassSpringOptions::Whole::never});
     masses.advance(queue, 2);
   }

@@ -6,7 +6,6 @@
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "tests/portability/elsewhere.hpp"
-#include "tests/springs/support/device.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::portability {
@@ -48,12 +47,12 @@ TEST_P(Topologies, MoveAsTheReferenceDoes) {
             "");
   double worst = 0;
   for (const Solver solver : solvers) {
-    const SpringNetwork topology = build(kind, sphere(1), fur_length);
+    const SpringNetwork network = build(kind, sphere(1), fur_length);
     const Dynamics dynamics = lively(solver);
-    const springs::reference::State rest = springs::reference::rest(topology);
-    const auto offsets = springs::reference::offsets(
-        topology, springs::reference::after({topology, dynamics}, rest, 0, steps));
-    EXPECT_GT(largest_difference(springs::reference::offsets(topology, rest), offsets), 0.01)
+    const springs::reference::State rest = springs::reference::rest(network);
+    const auto offsets =
+        springs::reference::offsets(network, springs::reference::after({network, dynamics}, rest, 0, steps));
+    EXPECT_GT(largest_difference(springs::reference::offsets(network, rest), offsets), 0.01)
         << "something moved";
     const double error = largest_difference(elsewhere.values_of<glm::vec3>(file_of(kind, solver)), offsets);
     EXPECT_LT(error, tolerance::stick_top * double(fur_length)) << file_of(kind, solver);

@@ -40,7 +40,7 @@ TEST(Pipelines, OfTheExperimentsAreThere) {
 
 // The experiments with the baseline must draw the scenes of silva2010-table1.toml (Table 1 of Silva et al.
 // 2010). The test skips cases in which the axis `reading` is not "default".
-TEST(Rivals, MeetOnTheSceneOfTable1) {
+TEST(Baselines, MeetOnTheSceneOfTable1) {
   const std::filesystem::path folder = std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments";
   const Experiment table = read_experiment(folder / "silva2010-table1.toml");
   std::map<std::string, std::string> expected;
@@ -66,7 +66,7 @@ TEST(Rivals, MeetOnTheSceneOfTable1) {
   compare_with("rival-options.toml", "quick", 18);
 }
 
-TEST(Rivals, EveryWritingOfTheExperimentIsOne) {
+TEST(Baselines, EveryWritingOfTheExperimentIsOne) {
   const Experiment options =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments" / "rival-options.toml");
   std::set<std::string> written;

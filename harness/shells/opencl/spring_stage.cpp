@@ -6,11 +6,11 @@ namespace pelage::shells {
 namespace {
 
 springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, int lanes) {
-  const springs::SpringNetwork topology = springs::topology_of(input);
+  const springs::SpringNetwork network = springs::network_of(input);
   springs::MassSpringOptions options;
   options.lanes = lanes;
-  springs::MassSprings masses(queue, topology, springs::dynamics_of(input.scene.dynamics, topology), options);
-  masses.push(queue, springs::pushes(topology, *input.mesh, input.scene.dynamics.poke));
+  springs::MassSprings masses(queue, network, springs::dynamics_of(input.scene.dynamics, network), options);
+  masses.push(queue, springs::pushes(network, *input.mesh, input.scene.dynamics.poke));
   return masses;
 }
 

@@ -6,7 +6,7 @@
 #include "harness/gl/context.hpp"
 #include "harness/shells/opengl/program.hpp"
 
-namespace pelage::rivals {
+namespace pelage::gl {
 namespace {
 
 void set_vectors(GLuint program, const char* name, const std::vector<glm::vec4>& values) {
@@ -65,4 +65,4 @@ void set_colliders(GLuint program, const FrameInput& input, double time) {
   set_vectors(program, "mesh_grid", {glm::vec4(field->origin, 1.0f / field->cell)});
 }
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

@@ -22,7 +22,6 @@ namespace pelage {
 namespace {
 
 using namespace gl;
-using namespace rivals;
 using Clock = std::chrono::steady_clock;
 
 double ms_since(Clock::time_point from) {

@@ -9,7 +9,7 @@ std::string shader_hash() {
   return gl::hash_of_files(gl::shader_folder());
 }
 
-namespace rivals {
+namespace gl {
 namespace {
 
 const char* glsl_type(std::size_t floats) {
@@ -30,5 +30,5 @@ gl::Program scene_program(const std::string& vertex, const std::string& fragment
                      {fragment, head + gl::shader_text("light.glsl") + gl::shader_text(fragment)});
 }
 
-}  // namespace rivals
+}  // namespace gl
 }  // namespace pelage

@@ -12,7 +12,7 @@
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 
-namespace pelage::rivals {
+namespace pelage::gl {
 
 /// A constant of the scene that the shaders read: 1 to 4 floats.
 struct Constant {
@@ -147,4 +147,4 @@ Facing facing(const Camera& camera, const Mesh& mesh);
 std::vector<std::uint32_t> elements_of(const std::vector<std::uint32_t>& list,
                                        const std::vector<std::uint32_t>& index);
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

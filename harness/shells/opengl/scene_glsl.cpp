@@ -11,7 +11,7 @@
 #include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/program.hpp"
 
-namespace pelage::rivals {
+namespace pelage::gl {
 namespace {
 
 std::vector<float> list(const glm::vec3& v) {
@@ -140,4 +140,4 @@ std::vector<glm::vec4> layer_table(const Scene& scene) {
   return rows;
 }
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

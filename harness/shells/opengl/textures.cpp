@@ -5,7 +5,7 @@
 #include "harness/gl/context.hpp"
 #include "harness/shells/opengl/program.hpp"
 
-namespace pelage::rivals {
+namespace pelage::gl {
 namespace {
 
 using Texels = std::vector<std::array<std::uint8_t, 2>>;
@@ -109,4 +109,4 @@ gl::Object turns_texture(const FrameInput& input) {
                       "the angles of the curls");
 }
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

@@ -7,7 +7,7 @@
 
 #include "harness/shells/opengl/program.hpp"
 
-namespace pelage::rivals {
+namespace pelage::gl {
 namespace {
 
 /// Returns the wetness rho of the mask's texel that contains `uv`. The mask repeats outside 0..1. `discs`:
@@ -177,4 +177,4 @@ std::vector<std::uint32_t> elements_of(const std::vector<std::uint32_t>& list,
   return elements;
 }
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

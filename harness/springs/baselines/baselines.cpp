@@ -12,15 +12,16 @@ namespace pelage::springs {
 namespace {
 
 template <class T>
-class SerialRival : public SolverRival {
+class SerialBaseline : public SolverBaseline {
  public:
-  SerialRival(const SpringNetwork& topology, const Dynamics& dynamics, const Loops<T>& loops, int threads = 1)
-      : kind_(topology.kind), course_{dynamics.solver, params(dynamics, topology.length)}, loops_(loops) {
+  SerialBaseline(const SpringNetwork& network, const Dynamics& dynamics, const Loops<T>& loops,
+                 int threads = 1)
+      : kind_(network.kind), course_{dynamics.solver, params(dynamics, network.length)}, loops_(loops) {
     course_.threads = threads;
     course_.residual = double(dynamics.residual);
     course_.most_iterations = dynamics.most_iterations;
-    const std::size_t sticks = topology.sticks(), triangles = topology.corner.size(),
-                      edges = topology.edges().size();
+    const std::size_t sticks = network.sticks(), triangles = network.corner.size(),
+                      edges = network.edges().size();
     for (std::size_t i = 0; i < sticks; ++i)
       place_.push_back(kind_.own_edges() ? i % 3 * triangles + i / 3 : i);
     const auto column = [&](std::size_t size) { return owned_.emplace_back(size).data(); };
@@ -32,15 +33,15 @@ class SerialRival : public SolverRival {
     columns(a.root), columns(a.normal), columns(a.q), columns(a.v);
     a.phase_cos = column(sticks), a.phase_sin = column(sticks), a.rest = column(edges);
     for (std::size_t i = 0; i < sticks; ++i) {
-      put(a.root, i, topology.mass[i]);
-      put(a.normal, i, topology.normal[i]);
-      const double phase = gust_phase(dynamics.wind, topology.gust_at[i]);
+      put(a.root, i, network.mass[i]);
+      put(a.normal, i, network.normal[i]);
+      const double phase = gust_phase(dynamics.wind, network.gust_at[i]);
       a.phase_cos[place_[i]] = T(std::cos(phase)), a.phase_sin[place_[i]] = T(std::sin(phase));
     }
     for (std::size_t e = 0; e < edges; ++e)
-      a.rest[kind_.own_edges() ? e % 3 * triangles + e / 3 : e] = T(topology.rest[sticks + e]);
+      a.rest[kind_.own_edges() ? e % 3 * triangles + e / 3 : e] = T(network.rest[sticks + e]);
     if (!kind_.shared_edges()) return;
-    for (const glm::uvec2 edge : topology.edges()) {
+    for (const glm::uvec2 edge : network.edges()) {
       from_.push_back(int(edge.x) - int(sticks));
       to_.push_back(int(edge.y) - int(sticks));
     }
@@ -103,22 +104,22 @@ class SerialRival : public SolverRival {
 };
 
 template <class T>
-class EigenRival : public SolverRival {
+class EigenBaseline : public SolverBaseline {
  public:
-  EigenRival(const SpringNetwork& topology, const Dynamics& dynamics, EigenWay way, int threads)
-      : sticks_(topology.sticks()), params_(params(dynamics, topology.length)) {
+  EigenBaseline(const SpringNetwork& network, const Dynamics& dynamics, EigenWay way, int threads)
+      : sticks_(network.sticks()), params_(params(dynamics, network.length)) {
     std::vector<T> root, normal, phase, rest;
     std::vector<int> ends;
     for (std::size_t i = 0; i < sticks_; ++i) {
       for (int c = 0; c < 3; ++c)
-        root.push_back(T(topology.mass[i][c])), normal.push_back(T(topology.normal[i][c]));
-      const double at = gust_phase(dynamics.wind, topology.gust_at[i]);
+        root.push_back(T(network.mass[i][c])), normal.push_back(T(network.normal[i][c]));
+      const double at = gust_phase(dynamics.wind, network.gust_at[i]);
       phase.push_back(T(std::cos(at))), phase.push_back(T(std::sin(at)));
     }
-    for (std::size_t e = 0; e < topology.edges().size(); ++e) {
-      ends.push_back(int(topology.edges()[e].x) - int(sticks_));
-      ends.push_back(int(topology.edges()[e].y) - int(sticks_));
-      rest.push_back(T(topology.rest[sticks_ + e]));
+    for (std::size_t e = 0; e < network.edges().size(); ++e) {
+      ends.push_back(int(network.edges()[e].x) - int(sticks_));
+      ends.push_back(int(network.edges()[e].y) - int(sticks_));
+      rest.push_back(T(network.rest[sticks_ + e]));
     }
     solver_ = eigen_solver(
         {int(sticks_), int(rest.size()), root.data(), normal.data(), phase.data(), rest.data(), ends.data()},
@@ -154,27 +155,28 @@ class EigenRival : public SolverRival {
 };
 
 template <class T>
-void add_eigen(std::vector<NamedRival>& rivals, const SpringNetwork& topology, const Dynamics& dynamics,
+void add_eigen(std::vector<NamedBaseline>& baselines, const SpringNetwork& network, const Dynamics& dynamics,
                EigenWay way, const char* what, bool threaded) {
   for (int threads = 1; threads <= (threaded ? 2 : 1); ++threads)
-    rivals.push_back(
+    baselines.push_back(
         {fmt::format("eigen-{}-{}-{}", what, std::is_same_v<T, float> ? "float" : "double", threads),
-         std::make_unique<EigenRival<T>>(topology, dynamics, way, threads), threads});
+         std::make_unique<EigenBaseline<T>>(network, dynamics, way, threads), threads});
 }
 
 }  // namespace
 
-std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, const Dynamics& dynamics) {
-  return std::make_unique<SerialRival<double>>(topology, dynamics, plain_loops(0.0));
+std::unique_ptr<SolverBaseline> serial_in_double(const SpringNetwork& network, const Dynamics& dynamics) {
+  return std::make_unique<SerialBaseline<double>>(network, dynamics, plain_loops(0.0));
 }
 
-std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
-                                      std::size_t most_direct) {
-  std::vector<NamedRival> rivals;
-  if (dynamics.solver.implicit && dynamics.full_jacobian) return rivals;
+std::vector<NamedBaseline> solver_baselines(const SpringNetwork& network, const Dynamics& dynamics,
+                                            std::size_t most_direct) {
+  std::vector<NamedBaseline> baselines;
+  if (dynamics.solver.implicit && dynamics.full_jacobian) return baselines;
   const bool fast = fast_loops_run_here();
   const auto serial = [&]<class T>(const char* name, const Loops<T>& loops, int threads = 1) {
-    rivals.push_back({name, std::make_unique<SerialRival<T>>(topology, dynamics, loops, threads), threads});
+    baselines.push_back(
+        {name, std::make_unique<SerialBaseline<T>>(network, dynamics, loops, threads), threads});
   };
   if (dynamics.solver.implicit)
     serial("serial-o3-double", plain_loops(0.0));
@@ -185,20 +187,20 @@ std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynam
     serial("serial-fast", fast_loops(0.0f));
     serial("parallel-fast-2", fast_loops(0.0f), 2);
   }
-  if (!dynamics.solver.implicit || !topology.kind.edges) return rivals;
-  if (!fast) return rivals;
-  if (topology.kind.own_edges()) {
-    add_eigen<double>(rivals, topology, dynamics, EigenWay::blocks, "llt", true);
-    add_eigen<float>(rivals, topology, dynamics, EigenWay::blocks, "llt", true);
-    return rivals;
+  if (!dynamics.solver.implicit || !network.kind.edges) return baselines;
+  if (!fast) return baselines;
+  if (network.kind.own_edges()) {
+    add_eigen<double>(baselines, network, dynamics, EigenWay::blocks, "llt", true);
+    add_eigen<float>(baselines, network, dynamics, EigenWay::blocks, "llt", true);
+    return baselines;
   }
-  add_eigen<double>(rivals, topology, dynamics, EigenWay::gradients_diagonal, "cg-diagonal", true);
-  add_eigen<double>(rivals, topology, dynamics, EigenWay::gradients_block, "cg-block", true);
-  add_eigen<float>(rivals, topology, dynamics, EigenWay::gradients_block, "cg-block", true);
-  add_eigen<double>(rivals, topology, dynamics, EigenWay::gradients_cholesky, "cg-cholesky", false);
-  if (topology.sticks() < most_direct)
-    add_eigen<double>(rivals, topology, dynamics, EigenWay::ldlt, "ldlt", false);
-  return rivals;
+  add_eigen<double>(baselines, network, dynamics, EigenWay::gradients_diagonal, "cg-diagonal", true);
+  add_eigen<double>(baselines, network, dynamics, EigenWay::gradients_block, "cg-block", true);
+  add_eigen<float>(baselines, network, dynamics, EigenWay::gradients_block, "cg-block", true);
+  add_eigen<double>(baselines, network, dynamics, EigenWay::gradients_cholesky, "cg-cholesky", false);
+  if (network.sticks() < most_direct)
+    add_eigen<double>(baselines, network, dynamics, EigenWay::ldlt, "ldlt", false);
+  return baselines;
 }
 
 }  // namespace pelage::springs

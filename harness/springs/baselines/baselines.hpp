@@ -17,9 +17,9 @@ struct Motions {
 };
 
 /// A baseline solver of one mass-spring system.
-class SolverRival {
+class SolverBaseline {
  public:
-  virtual ~SolverRival() = default;
+  virtual ~SolverBaseline() = default;
   virtual void set(const Motions& state) = 0;
   /// Advances the state by `steps` steps. moments[2 * i] holds wind, gravity and the object's motion at the
   /// start of step i (see springs::moments).
@@ -31,21 +31,21 @@ class SolverRival {
 /// A baseline and its name. Examples of names are "serial-o3", "serial-fast", "serial-o3-double",
 /// "parallel-fast-2" (serial-fast on two threads), "eigen-llt-double-2" (two threads) and
 /// "eigen-cg-block-float-1" (one thread).
-struct NamedRival {
+struct NamedBaseline {
   std::string name;
-  std::unique_ptr<SolverRival> rival;
+  std::unique_ptr<SolverBaseline> solver;
   int threads = 1;
 };
 
-/// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The one with a sparse
+/// Returns all baselines that solve the equations of `dynamics.solver` on `network`. The one with a sparse
 /// direct factorization takes seconds and gigabytes on large systems, so it is left out from `most_direct`
 /// sticks on. Those that are compiled for the processor of the machine that built pelage are left out where
 /// the processor lacks the vector instructions. For backward Euler with `dynamics.full_jacobian` there is no
 /// baseline.
-std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
-                                      std::size_t most_direct = 5000);
+std::vector<NamedBaseline> solver_baselines(const SpringNetwork& network, const Dynamics& dynamics,
+                                            std::size_t most_direct = 5000);
 
 /// Returns the serial C++ baseline in double precision.
-std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, const Dynamics& dynamics);
+std::unique_ptr<SolverBaseline> serial_in_double(const SpringNetwork& network, const Dynamics& dynamics);
 
 }  // namespace pelage::springs

@@ -34,15 +34,15 @@ struct Item {
 
 class Panel {
  public:
-  Panel(const SpringNetwork& topology, const Mesh& mesh) : topology_(topology), place_(topology.mass.size()) {
-    for (std::size_t i = 0; i < place_.size(); ++i) place_[i] = seen(glm::dvec3(topology.mass[i]));
-    if (topology.kind.separable) pull_in();
+  Panel(const SpringNetwork& network, const Mesh& mesh) : network_(network), place_(network.mass.size()) {
+    for (std::size_t i = 0; i < place_.size(); ++i) place_[i] = seen(glm::dvec3(network.mass[i]));
+    if (network.kind.separable) pull_in();
     for (const glm::dvec3& p : place_) low_ = glm::min(low_, p), high_ = glm::max(high_, p);
     const glm::dvec3 size = high_ - low_;
     scale_ = (panel - 2 * margin) / std::max({size.x, size.y, 1e-9});
     for (const glm::uvec3& t : mesh.triangle) surface(mesh, t);
-    for (const glm::uvec2& s : topology.spring) spring(s);
-    if (topology.sticks() <= most_dots)
+    for (const glm::uvec2& s : network.spring) spring(s);
+    if (network.sticks() <= most_dots)
       for (std::size_t i = 0; i < place_.size(); ++i) mass(i);
   }
 
@@ -51,16 +51,16 @@ class Panel {
                      [](const Item& a, const Item& b) { return a.depth < b.depth; });
     std::string text = fmt::format(
         "<g transform=\"translate({:.0f} {:.0f})\" stroke-width=\"{:.2f}\">\n<text x=\"{:.0f}\" y=\"16\" text-anchor=\"middle\">{}: {} masses, {} springs</text>\n",
-        x, y, std::clamp(25 / std::sqrt(double(topology_.spring.size())), 0.35, 1.2), panel / 2,
-        topology_.kind.name, topology_.mass.size(), topology_.spring.size());
+        x, y, std::clamp(25 / std::sqrt(double(network_.spring.size())), 0.35, 1.2), panel / 2,
+        network_.kind.name, network_.mass.size(), network_.spring.size());
     for (const Item& item : items_) text += item.svg;
     return text + "</g>\n";
   }
 
  private:
   void pull_in() {
-    for (const glm::uvec3& corner : topology_.corner)
-      for (const std::size_t level : {std::size_t{0}, topology_.sticks()}) {
+    for (const glm::uvec3& corner : network_.corner)
+      for (const std::size_t level : {std::size_t{0}, network_.sticks()}) {
         glm::dvec3 centre(0);
         for (int c = 0; c < 3; ++c) centre += place_[level + corner[c]] / 3.0;
         for (int c = 0; c < 3; ++c) {
@@ -94,7 +94,7 @@ class Panel {
 
   void spring(const glm::uvec2& masses) {
     const glm::dvec3 from = place_[masses.x], to = place_[masses.y];
-    const bool stick = masses.x < topology_.sticks();
+    const bool stick = masses.x < network_.sticks();
     const glm::dvec2 a = at(from), b = at(to);
     items_.push_back(
         {0.5 * (from.z + to.z), fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" class=\"{}\"/>\n", a.x,
@@ -107,7 +107,7 @@ class Panel {
         {place_[i].z, fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\"/>\n", p.x, p.y)});
   }
 
-  const SpringNetwork& topology_;
+  const SpringNetwork& network_;
   std::vector<glm::dvec3> place_;  // view positions of the masses: x points right, y up, z towards the eye
   glm::dvec3 low_{std::numeric_limits<double>::max()}, high_{std::numeric_limits<double>::lowest()};
   double scale_ = 1;
@@ -126,9 +126,9 @@ std::string drawing_of(const Mesh& mesh, float length) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"13\">\n<style>.skin{{stroke:#b4b0a4;stroke-width:.4}}.stick{{stroke:#8a4b12}}.edge{{stroke:#0072b2}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       2 * panel, 2 * row);
   for (std::size_t i = 0; i < std::size(kinds); ++i) {
-    const SpringNetwork topology = build(kinds[i], mesh, length);
+    const SpringNetwork network = build(kinds[i], mesh, length);
     const std::size_t line = i / 2;
-    svg += Panel(topology, mesh).svg(double(i % 2) * panel, double(line) * row);
+    svg += Panel(network, mesh).svg(double(i % 2) * panel, double(line) * row);
   }
   return svg + "</svg>\n";
 }

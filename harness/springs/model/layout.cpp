@@ -14,13 +14,13 @@ struct Neighbour {
   float rest;
 };
 
-std::vector<std::vector<Neighbour>> neighbours(const SpringNetwork& topology) {
-  std::vector<std::vector<Neighbour>> found(topology.sticks());
-  const auto shift = std::uint32_t(topology.sticks());
-  for (std::size_t k = topology.sticks(); k < topology.spring.size(); ++k) {
-    const glm::uvec2 ends = topology.spring[k] - shift;
-    found[ends.x].push_back({ends.y, topology.rest[k]});
-    found[ends.y].push_back({ends.x, topology.rest[k]});
+std::vector<std::vector<Neighbour>> neighbours(const SpringNetwork& network) {
+  std::vector<std::vector<Neighbour>> found(network.sticks());
+  const auto shift = std::uint32_t(network.sticks());
+  for (std::size_t k = network.sticks(); k < network.spring.size(); ++k) {
+    const glm::uvec2 ends = network.spring[k] - shift;
+    found[ends.x].push_back({ends.y, network.rest[k]});
+    found[ends.y].push_back({ends.x, network.rest[k]});
   }
   return found;
 }
@@ -64,19 +64,19 @@ void set3(std::vector<float>& table, std::size_t place, std::size_t columns, std
 
 }  // namespace
 
-Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
+Layout lay_out(const SpringNetwork& network, const Wind& wind) {
   Layout layout;
-  const std::size_t sticks = topology.sticks();
-  layout.corners = topology.kind.own_edges() ? 3 : 1;
+  const std::size_t sticks = network.sticks();
+  layout.corners = network.kind.own_edges() ? 3 : 1;
   layout.place.resize(sticks);
   std::iota(layout.place.begin(), layout.place.end(), 0u);
   std::size_t together = std::size_t{4} * slice;
   std::vector<std::vector<Neighbour>> around;
-  if (topology.kind.shared_edges()) {
+  if (network.kind.shared_edges()) {
     together = slice;
-    around = neighbours(topology);
+    around = neighbours(network);
     layout.place = sorted_places(around);
-  } else if (topology.kind.own_edges()) {
+  } else if (network.kind.own_edges()) {
     together = std::size_t{3} * slice;
     for (std::uint32_t i = 0; i < sticks; ++i)
       layout.place[i] = (i / 3 / slice * 3 + i % 3) * slice + i / 3 % slice;
@@ -91,16 +91,16 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
     set3(layout.sites, place, SITE_COLUMNS, SITE_NORMAL, normal);
     layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_COS)] = float(std::cos(phase));
     layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_SIN)] = float(std::sin(phase));
-    set3(layout.offset, place, 3, 0, topology.length * normal);
+    set3(layout.offset, place, 3, 0, network.length * normal);
   };
   for (std::size_t place = 0; place < places; ++place) stand(place, {0, 0, 0}, {0, 1, 0}, 0);
   for (std::size_t i = 0; i < sticks; ++i)
-    stand(layout.place[i], topology.mass[i], topology.normal[i], gust_phase(wind, topology.gust_at[i]));
-  if (topology.kind.shared_edges()) lay_out_springs(around, layout);
-  if (topology.kind.own_edges()) {
+    stand(layout.place[i], network.mass[i], network.normal[i], gust_phase(wind, network.gust_at[i]));
+  if (network.kind.shared_edges()) lay_out_springs(around, layout);
+  if (network.kind.own_edges()) {
     layout.sides.assign(places, 0);
-    for (std::size_t e = 0; e < topology.edges().size(); ++e)
-      layout.sides[column_of(e / 3, 3, e % 3)] = topology.rest[sticks + e];
+    for (std::size_t e = 0; e < network.edges().size(); ++e)
+      layout.sides[column_of(e / 3, 3, e % 3)] = network.rest[sticks + e];
   }
   return layout;
 }

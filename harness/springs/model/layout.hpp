@@ -46,8 +46,8 @@ constexpr std::size_t column_of(std::size_t place, std::size_t columns, std::siz
   return (place / 16 * columns + column) * 16 + place % 16;
 }
 
-/// Computes the layout of `topology`. `wind` determines the phases of the gusts.
-Layout lay_out(const SpringNetwork& topology, const Wind& wind);
+/// Computes the layout of `network`. `wind` determines the phases of the gusts.
+Layout lay_out(const SpringNetwork& network, const Wind& wind);
 
 /// Returns the number of bytes of device memory that `solver` needs for the topology, without three buffers:
 /// wind, gravity and the object's motion at every half step of 512 steps (56 KiB), or more if one call of

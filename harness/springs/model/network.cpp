@@ -50,8 +50,8 @@ double area_of(const Mesh& mesh) {
   return area;
 }
 
-glm::dvec3 rest_top(const SpringNetwork& topology, std::uint32_t stick) {
-  return glm::dvec3(topology.mass[stick]) + glm::dvec3(topology.length * topology.normal[stick]);
+glm::dvec3 rest_top(const SpringNetwork& network, std::uint32_t stick) {
+  return glm::dvec3(network.mass[stick]) + glm::dvec3(network.length * network.normal[stick]);
 }
 
 }  // namespace
@@ -63,50 +63,50 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
     throw InputError(fmt::format("topology: the fur length is {} R; it must be finite and above 0", length));
   const Skin skin = weld(mesh);
 
-  SpringNetwork topology;
-  topology.kind = kind;
+  SpringNetwork network;
+  network.kind = kind;
   Corners corners;
   if (kind.separable) {
     for (const glm::uvec3& t : mesh.triangle) {
-      const auto first = std::uint32_t(topology.copy.size());
+      const auto first = std::uint32_t(network.copy.size());
       corners.push_back({first, first + 1, first + 2});
-      topology.copy.insert(topology.copy.end(), {t.x, t.y, t.z});
+      network.copy.insert(network.copy.end(), {t.x, t.y, t.z});
     }
   } else if (vertices == Vertices::copies) {
     corners = mesh.triangle;
-    for (std::uint32_t v = 0; v < mesh.position.size(); ++v) topology.copy.push_back(v);
+    for (std::uint32_t v = 0; v < mesh.position.size(); ++v) network.copy.push_back(v);
   } else {
     corners = skin.triangle;
-    topology.copy = skin.first_copy;
+    network.copy = skin.first_copy;
   }
 
-  const std::size_t sticks = topology.copy.size();
-  topology.mass.resize(2 * sticks);
+  const std::size_t sticks = network.copy.size();
+  network.mass.resize(2 * sticks);
   for (std::size_t i = 0; i < sticks; ++i) {
-    const glm::vec3 base = mesh.position[topology.copy[i]];
-    const glm::vec3 normal(skin.normal[mesh.weld[topology.copy[i]]]);
-    topology.normal.push_back(normal);
-    topology.point.push_back(mesh.weld[topology.copy[i]]);
-    topology.gust_at.push_back(base);
-    topology.mass[i] = base;
-    topology.mass[sticks + i] = base + length * normal;
-    topology.spring.push_back({std::uint32_t(i), std::uint32_t(sticks + i)});
-    topology.rest.push_back(length);
+    const glm::vec3 base = mesh.position[network.copy[i]];
+    const glm::vec3 normal(skin.normal[mesh.weld[network.copy[i]]]);
+    network.normal.push_back(normal);
+    network.point.push_back(mesh.weld[network.copy[i]]);
+    network.gust_at.push_back(base);
+    network.mass[i] = base;
+    network.mass[sticks + i] = base + length * normal;
+    network.spring.push_back({std::uint32_t(i), std::uint32_t(sticks + i)});
+    network.rest.push_back(length);
   }
-  topology.length = length;
-  topology.stick_area = area_of(mesh) / double(sticks);
+  network.length = length;
+  network.stick_area = area_of(mesh) / double(sticks);
   if (kind.separable && gusts == Gusts::triangles)
     for (const glm::uvec3& t : corners) {
-      const glm::vec3 centroid = (topology.mass[t.x] + topology.mass[t.y] + topology.mass[t.z]) / 3.0f;
-      for (int c = 0; c < 3; ++c) topology.gust_at[t[c]] = centroid;
+      const glm::vec3 centroid = (network.mass[t.x] + network.mass[t.y] + network.mass[t.z]) / 3.0f;
+      for (int c = 0; c < 3; ++c) network.gust_at[t[c]] = centroid;
     }
   const auto shift = std::uint32_t(sticks);
   for (const glm::uvec2 edge : edges_of(kind, corners)) {
-    topology.spring.push_back(edge + shift);
-    topology.rest.push_back(float(glm::distance(rest_top(topology, edge.x), rest_top(topology, edge.y))));
+    network.spring.push_back(edge + shift);
+    network.rest.push_back(float(glm::distance(rest_top(network, edge.x), rest_top(network, edge.y))));
   }
-  topology.corner = std::move(corners);
-  return topology;
+  network.corner = std::move(corners);
+  return network;
 }
 
 // hit() tests every triangle, because a scene has at most one ray, that of its poke. Building the search tree
@@ -131,10 +131,10 @@ std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 d
   return found;
 }
 
-Degrees degrees(const SpringNetwork& topology) {
-  std::vector<int> count(topology.mass.size(), 0);
-  for (const glm::uvec2 spring : topology.spring) ++count[spring.x], ++count[spring.y];
-  const auto tops = std::span(count).subspan(topology.sticks());
+Degrees degrees(const SpringNetwork& network) {
+  std::vector<int> count(network.mass.size(), 0);
+  for (const glm::uvec2 spring : network.spring) ++count[spring.x], ++count[spring.y];
+  const auto tops = std::span(count).subspan(network.sticks());
   Degrees found{*std::min_element(tops.begin(), tops.end()), *std::max_element(tops.begin(), tops.end()), 0};
   for (const int degree : tops) found.mean += double(degree);
   found.mean /= double(tops.size());

@@ -77,6 +77,6 @@ struct Degrees {
   int least = 0, most = 0;
   double mean = 0;
 };
-Degrees degrees(const SpringNetwork& topology);
+Degrees degrees(const SpringNetwork& network);
 
 }  // namespace pelage::springs

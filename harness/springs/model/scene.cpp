@@ -31,7 +31,7 @@ Aim aimed(const Mesh& mesh, const PokeScene& poke) {
 
 }  // namespace
 
-Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology) {
+Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& network) {
   Dynamics d;
   d.solver = solver_of(scene.solver);
   d.step = scene.step;
@@ -48,26 +48,26 @@ Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology) 
   d.wind = wind_of(scene.wind, scene.drag);
   d.motion = motion_of(scene.motion);
   if (scene.springs.reference_area > 0) {
-    const auto share = float(topology.stick_area / double(scene.springs.reference_area));
+    const auto share = float(network.stick_area / double(scene.springs.reference_area));
     for (float* constant : {&d.mass, &d.stiffness, &d.damping, &d.drag, &d.return_weight}) *constant *= share;
   }
   return d;
 }
 
-SpringNetwork topology_of(const Scene& scene, const Mesh& mesh) {
+SpringNetwork network_of(const Scene& scene, const Mesh& mesh) {
   return build(kind_of(scene.dynamics.topology), mesh, scene.fur.length, Vertices::points,
                scene.dynamics.wind.gust_at == "triangle" ? Gusts::triangles : Gusts::sticks);
 }
 
-SpringNetwork topology_of(const FrameInput& input) {
-  return topology_of(input.scene, *input.mesh);
+SpringNetwork network_of(const FrameInput& input) {
+  return network_of(input.scene, *input.mesh);
 }
 
-std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, const PokeScene& poke) {
+std::vector<glm::vec3> pushes(const SpringNetwork& network, const Mesh& mesh, const PokeScene& poke) {
   const bool ray = poke.ray != glm::vec3(0);
   if (poke.radius == 0 && !ray) return {};
   const Aim aim = ray ? aimed(mesh, poke) : Aim{glm::dvec3(poke.point), mesh.triangle.size()};
-  std::vector<glm::vec3> force(topology.sticks(), glm::vec3(0));
+  std::vector<glm::vec3> force(network.sticks(), glm::vec3(0));
   const glm::dvec3 along = glm::normalize(glm::dvec3(poke.along));
   for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
     glm::dvec3 from = -aim.point;
@@ -76,7 +76,7 @@ std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, c
     const glm::dvec3 across = from - glm::dot(from, along) * along;
     const double reach = glm::length(across);
     const glm::dvec3 apart = reach > 0 ? double(poke.spread) / reach * across : glm::dvec3(0);
-    for (int c = 0; c < 3; ++c) force[topology.corner[f][c]] = poke.force + glm::vec3(apart);
+    for (int c = 0; c < 3; ++c) force[network.corner[f][c]] = poke.force + glm::vec3(apart);
   }
   return force;
 }

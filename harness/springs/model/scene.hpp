@@ -13,15 +13,15 @@ namespace pelage::springs {
 /// the scene is above 0, the constants of a stick (mass, stiffness, damping, drag, weight of the return
 /// force) are multiplied by the topology's mean surface area per stick, divided by the reference area. The
 /// constants of the springs between tops do not change.
-Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology);
+Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& network);
 
 /// Builds the masses and springs of the scene's topology, with Vertices::points. Throws InputError if
 /// dynamics.topology of the scene is not a mass-spring topology.
-SpringNetwork topology_of(const FrameInput& input);
-SpringNetwork topology_of(const Scene& scene, const Mesh& mesh);
+SpringNetwork network_of(const FrameInput& input);
+SpringNetwork network_of(const Scene& scene, const Mesh& mesh);
 
 /// Returns the local force of the scene's poke on each stick, in newtons. The result is empty if the scene
 /// has no poke.
-std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, const PokeScene& poke);
+std::vector<glm::vec3> pushes(const SpringNetwork& network, const Mesh& mesh, const PokeScene& poke);
 
 }  // namespace pelage::springs

@@ -33,13 +33,13 @@ Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
       step(step_number),
       mass(mass_number) {}
 
-MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
+MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics,
                          const MassSpringOptions& options)
     : dynamics_((springs::check(dynamics), dynamics)),
-      layout_(lay_out(topology, dynamics.wind)),
-      params_(springs::params(dynamics, topology.length)) {
+      layout_(lay_out(network, dynamics.wind)),
+      params_(springs::params(dynamics, network.length)) {
   const int lanes = cl::lanes_of(queue.device().info(), options.lanes);
-  const bool prisms = topology.kind.shared_edges();
+  const bool prisms = network.kind.shared_edges();
   if (dynamics.solver.implicit && dynamics.full_jacobian)
     throw InputError(
         "dynamics.springs.jacobian = \"full\": only the reference has it (--pipeline reference); use \"pruned\"");
@@ -52,10 +52,10 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
               cl::uploaded(queue, std::vector<float>((prisms ? 4 : 3) * places, 0.0f)),
               cl::uploaded(queue, all_never),
               cl::Buffer<std::int32_t>(queue, std::span(all_never).first(1))};
-  params_.sticks = int(topology.sticks());
+  params_.sticks = int(network.sticks());
   const bool whole = options.whole == MassSpringOptions::Whole::always ||
                      (options.whole == MassSpringOptions::Whole::as_suits && options.blocks_per_item == 0 &&
-                      whole_suits(queue.device().info(), topology.kind, dynamics.solver, topology.sticks()));
+                      whole_suits(queue.device().info(), network.kind, dynamics.solver, network.sticks()));
   if (prisms)
     prisms_.emplace(queue, layout_, dynamics, lanes, whole, options);
   else

@@ -139,7 +139,7 @@ class MassSprings {
  public:
   /// Creates the system at rest. Throws InputError if check() of dynamics.hpp rejects `dynamics`, if
   /// options.lanes is not valid, or for backward Euler with dynamics.full_jacobian.
-  MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
+  MassSprings(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics,
               const MassSpringOptions& options = {});
 
   /// Sets the state of all tops: their positions relative to their bases in R, and their velocities in R/s.

@@ -51,11 +51,11 @@ struct Spring {
 
 Spring spring(const System& system, const State& state, std::size_t number) {
   const Dynamics& d = system.dynamics;
-  const glm::uvec2 ends = system.topology.spring[number];
+  const glm::uvec2 ends = system.network.spring[number];
   const glm::dvec3 between = state.position[ends.y] - state.position[ends.x];
   const double length = glm::length(between);
-  const bool stick = number < system.topology.sticks();
-  return {length > 0 ? between / length : glm::dvec3(0), length, double(system.topology.rest[number]),
+  const bool stick = number < system.network.sticks();
+  return {length > 0 ? between / length : glm::dvec3(0), length, double(system.network.rest[number]),
           double(stick ? d.stiffness : d.edge_stiffness), double(stick ? d.damping : d.edge_damping)};
 }
 
@@ -87,7 +87,7 @@ State moved(const State& from, double h, const Vectors& position_rate, const Vec
 Vectors accelerations(const System& system, const State& state, double time) {
   Vectors a = forces(system, state, time);
   for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] = i < system.topology.sticks() ? glm::dvec3(0) : a[i] / double(system.dynamics.mass);
+    a[i] = i < system.network.sticks() ? glm::dvec3(0) : a[i] / double(system.dynamics.mass);
   return a;
 }
 
@@ -162,16 +162,16 @@ glm::dmat3 return_derivative(const Spring& stick, glm::dvec3 n, double weight, b
 }
 
 std::vector<Block> derivative_blocks(const System& system, const State& y, double t) {
-  const SpringNetwork& topology = system.topology;
+  const SpringNetwork& network = system.network;
   const Dynamics& dynamics = system.dynamics;
-  const std::size_t sticks = topology.sticks();
+  const std::size_t sticks = network.sticks();
   const bool full = dynamics.full_jacobian;
   const Pose at = pose(dynamics.motion, t);
   const double m = double(dynamics.mass), drag = double(dynamics.drag);
   std::vector<Block> blocks;
   for (std::size_t i = 0; i < sticks; ++i) {
     Block own{i, i,
-              return_derivative(spring(system, y, i), glm::dvec3(topology.normal[i]),
+              return_derivative(spring(system, y, i), glm::dvec3(network.normal[i]),
                                 double(dynamics.return_weight), full),
               glm::dmat3(-drag)};
     if (full) {  // derivatives of the inertial forces and the drag on a rotating object
@@ -181,8 +181,8 @@ std::vector<Block> derivative_blocks(const System& system, const State& y, doubl
     }
     blocks.push_back(own);
   }
-  for (std::size_t k = 0; k < topology.spring.size(); ++k) {
-    const glm::uvec2 ends = topology.spring[k];
+  for (std::size_t k = 0; k < network.spring.size(); ++k) {
+    const glm::uvec2 ends = network.spring[k];
     const Pull pull = pull_of(spring(system, y, k), y.velocity[ends.y] - y.velocity[ends.x], full);
     for (const auto& [self, other] : {std::pair(ends.x, ends.y), std::pair(ends.y, ends.x)}) {
       if (self < sticks) continue;  // a fixed mass on the skin
@@ -203,8 +203,8 @@ struct Equations {
 };
 
 Equations backward_equations(const System& system, const State& y, double t, double h) {
-  const SpringNetwork& topology = system.topology;
-  const std::size_t sticks = topology.sticks();
+  const SpringNetwork& network = system.network;
+  const std::size_t sticks = network.sticks();
   const auto size = Eigen::Index(3 * sticks);
   const Vectors f = forces(system, y, t + h);
   Eigen::VectorXd right(size);
@@ -216,11 +216,11 @@ Equations backward_equations(const System& system, const State& y, double t, dou
   Vectors load(sticks);
   for (std::size_t i = 0; i < sticks; ++i) {
     add(i, i, glm::dmat3(double(system.dynamics.mass)));
-    load[i] = h * f[topology.top(i)];
+    load[i] = h * f[network.top(i)];
   }
   for (const Block& block : derivative_blocks(system, y, t + h)) {
     add(block.row, block.column, -h * block.d - h * h * block.j);
-    load[block.row] += h * h * (block.j * y.velocity[topology.top(block.column)]);
+    load[block.row] += h * h * (block.j * y.velocity[network.top(block.column)]);
   }
   for (std::size_t i = 0; i < sticks; ++i)
     for (int c = 0; c < 3; ++c) right[Eigen::Index(3 * i) + c] = load[i][c];
@@ -243,48 +243,48 @@ Eigen::VectorXd solved(const Equations& equations, bool symmetric) {
 }
 
 State backward_euler(const System& system, const State& y, double t, double h) {
-  const SpringNetwork& topology = system.topology;
+  const SpringNetwork& network = system.network;
   const Equations equations = backward_equations(system, y, t, h);
   const Eigen::VectorXd change = solved(equations, !system.dynamics.full_jacobian);
   State next = y;
-  for (std::size_t i = 0; i < topology.sticks(); ++i) {
-    for (int c = 0; c < 3; ++c) next.velocity[topology.top(i)][c] += change[Eigen::Index(3 * i) + c];
-    next.position[topology.top(i)] += h * next.velocity[topology.top(i)];
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    for (int c = 0; c < 3; ++c) next.velocity[network.top(i)][c] += change[Eigen::Index(3 * i) + c];
+    next.position[network.top(i)] += h * next.velocity[network.top(i)];
   }
   return next;
 }
 
 }  // namespace
 
-State rest(const SpringNetwork& topology) {
+State rest(const SpringNetwork& network) {
   State state;
-  state.velocity.assign(topology.mass.size(), glm::dvec3(0));
-  for (std::size_t i = 0; i < topology.sticks(); ++i) state.position.push_back(glm::dvec3(topology.mass[i]));
-  for (std::size_t i = 0; i < topology.sticks(); ++i)
-    state.position.push_back(state.position[i] + glm::dvec3(topology.length * topology.normal[i]));
+  state.velocity.assign(network.mass.size(), glm::dvec3(0));
+  for (std::size_t i = 0; i < network.sticks(); ++i) state.position.push_back(glm::dvec3(network.mass[i]));
+  for (std::size_t i = 0; i < network.sticks(); ++i)
+    state.position.push_back(state.position[i] + glm::dvec3(network.length * network.normal[i]));
   return state;
 }
 
 Vectors forces(const System& system, const State& state, double time) {
-  const SpringNetwork& topology = system.topology;
+  const SpringNetwork& network = system.network;
   const Dynamics& d = system.dynamics;
   const Pose at = pose(d.motion, time);
   Vectors force;
-  for (std::size_t i = 0; i < topology.mass.size(); ++i)
-    force.push_back(outside(d, at, time, glm::dvec3(topology.gust_at[i % topology.sticks()]),
-                            state.position[i], state.velocity[i]));
-  for (std::size_t k = 0; k < topology.spring.size(); ++k) {  // Hooke's law, and damping along the spring
+  for (std::size_t i = 0; i < network.mass.size(); ++i)
+    force.push_back(outside(d, at, time, glm::dvec3(network.gust_at[i % network.sticks()]), state.position[i],
+                            state.velocity[i]));
+  for (std::size_t k = 0; k < network.spring.size(); ++k) {  // Hooke's law, and damping along the spring
     const Spring s = spring(system, state, k);
-    const glm::uvec2 ends = topology.spring[k];
+    const glm::uvec2 ends = network.spring[k];
     const double parting = glm::dot(state.velocity[ends.y] - state.velocity[ends.x], s.along);
     const glm::dvec3 pull = (s.stiffness * (s.length - s.rest) + s.damping * parting) * s.along;
     force[ends.x] += pull;
     force[ends.y] -= pull;
   }
-  for (std::size_t i = 0; i < topology.sticks(); ++i) {
-    const glm::dvec3 n(topology.normal[i]), s = spring(system, state, i).along;          // Eq. 3
-    force[topology.top(i)] += (n - s) * (1 - glm::dot(n, s)) * double(d.return_weight);  // Eq. 5
-    if (!system.push.empty()) force[topology.top(i)] += system.push[i];
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    const glm::dvec3 n(network.normal[i]), s = spring(system, state, i).along;          // Eq. 3
+    force[network.top(i)] += (n - s) * (1 - glm::dot(n, s)) * double(d.return_weight);  // Eq. 5
+    if (!system.push.empty()) force[network.top(i)] += system.push[i];
   }
   return force;
 }
@@ -312,7 +312,7 @@ double residual(const System& system, const State& state, long number, const Vec
 }
 
 Derivatives derivatives(const System& system, const State& state, double time) {
-  const std::size_t size = 3 * system.topology.sticks();
+  const std::size_t size = 3 * system.network.sticks();
   Derivatives found{size, std::vector<double>(size * size, 0.0), std::vector<double>(size * size, 0.0)};
   for (const Block& block : derivative_blocks(system, state, time))
     for (std::size_t i = 0; i < 3; ++i)
@@ -326,9 +326,9 @@ Derivatives derivatives(const System& system, const State& state, double time) {
 
 double energy(const System& system, const State& state) {
   double sum = 0;
-  for (std::size_t i = system.topology.sticks(); i < state.velocity.size(); ++i)
+  for (std::size_t i = system.network.sticks(); i < state.velocity.size(); ++i)
     sum += 0.5 * double(system.dynamics.mass) * glm::dot(state.velocity[i], state.velocity[i]);
-  for (std::size_t k = 0; k < system.topology.spring.size(); ++k) {
+  for (std::size_t k = 0; k < system.network.spring.size(); ++k) {
     const Spring s = spring(system, state, k);
     sum += 0.5 * s.stiffness * (s.length - s.rest) * (s.length - s.rest);
   }
@@ -337,15 +337,15 @@ double energy(const System& system, const State& state) {
 
 double total_energy(const System& system, const State& state) {
   double sum = energy(system, state);
-  for (std::size_t i = system.topology.sticks(); i < state.position.size(); ++i)
+  for (std::size_t i = system.network.sticks(); i < state.position.size(); ++i)
     sum -= double(system.dynamics.mass) * glm::dot(glm::dvec3(system.dynamics.gravity), state.position[i]);
   return sum;
 }
 
-Vectors offsets(const SpringNetwork& topology, const State& state) {
+Vectors offsets(const SpringNetwork& network, const State& state) {
   Vectors q;
-  for (std::size_t i = 0; i < topology.sticks(); ++i)
-    q.push_back(state.position[topology.top(i)] - state.position[i]);
+  for (std::size_t i = 0; i < network.sticks(); ++i)
+    q.push_back(state.position[network.top(i)] - state.position[i]);
   return q;
 }
 

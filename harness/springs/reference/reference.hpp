@@ -18,13 +18,13 @@ struct State {
 
 /// A topology, its dynamics, and the local forces on it.
 struct System {
-  const SpringNetwork& topology;
+  const SpringNetwork& network;
   const Dynamics& dynamics;
   std::vector<glm::dvec3> push = {};  ///< local force on each top, N, in the object's frame; empty: none
 };
 
 /// Returns the rest state: every stick points along its normal, and all velocities are 0.
-State rest(const SpringNetwork& topology);
+State rest(const SpringNetwork& network);
 
 /// Returns the force on every mass, also on the fixed ones (F in Eq. 1 of the paper), in newtons, at `time`
 /// in seconds.
@@ -63,7 +63,7 @@ double energy(const System& system, const State& state);
 double total_energy(const System& system, const State& state);
 
 /// Returns the position of each top relative to its base, in R (q in the kernels).
-std::vector<glm::dvec3> offsets(const SpringNetwork& topology, const State& state);
+std::vector<glm::dvec3> offsets(const SpringNetwork& network, const State& state);
 
 }  // namespace pelage::springs::reference
 

@@ -44,16 +44,16 @@ springs::SpringNetwork part_of(const SpringNetwork& whole, const std::vector<std
   return part;
 }
 
-std::vector<std::uint32_t> spread(const SpringNetwork& topology, std::size_t count) {
+std::vector<std::uint32_t> spread(const SpringNetwork& network, std::size_t count) {
   std::vector<std::uint32_t> found;
-  const std::size_t all = topology.sticks();
-  if (topology.kind.shared_edges() || count >= all) {
+  const std::size_t all = network.sticks();
+  if (network.kind.shared_edges() || count >= all) {
     found.resize(all);
     std::iota(found.begin(), found.end(), 0u);
     return found;
   }
   // In separable topologies the three sticks of a triangle are selected together.
-  const std::size_t together = topology.kind.separable ? 3 : 1, groups = all / together;
+  const std::size_t together = network.kind.separable ? 3 : 1, groups = all / together;
   const std::size_t wanted = std::clamp<std::size_t>(count / together, 1, groups);
   for (std::size_t i = 0; i < wanted; ++i)
     for (std::size_t c = 0; c < together; ++c)
@@ -61,27 +61,27 @@ std::vector<std::uint32_t> spread(const SpringNetwork& topology, std::size_t cou
   return found;
 }
 
-reference::State moved_sticks(const SpringNetwork& topology, const DynamicsScene& scene,
+reference::State moved_sticks(const SpringNetwork& network, const DynamicsScene& scene,
                               std::vector<glm::dvec3> push, int frames) {
   if (scene.tolerance > 0)
     throw InputError(fmt::format(
         "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons with it (pelage run, pelage check) need dynamics.tolerance = 0",
         scene.tolerance));
-  const Dynamics dynamics = dynamics_of(scene, topology);
-  const reference::System system{topology, dynamics, std::move(push)};
-  return reference::after(system, reference::rest(topology), 0, long(frames) * scene.substeps);
+  const Dynamics dynamics = dynamics_of(scene, network);
+  const reference::System system{network, dynamics, std::move(push)};
+  return reference::after(system, reference::rest(network), 0, long(frames) * scene.substeps);
 }
 
 }  // namespace
 
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count) {
-  const SpringNetwork topology = topology_of(input);
-  const std::vector<glm::vec3> push = pushes(topology, *input.mesh, input.scene.dynamics.poke);
-  SomeSticks some{spread(topology, count), {}, {}};
+  const SpringNetwork network = network_of(input);
+  const std::vector<glm::vec3> push = pushes(network, *input.mesh, input.scene.dynamics.poke);
+  SomeSticks some{spread(network, count), {}, {}};
   std::vector<glm::dvec3> own;
   if (!push.empty())
     for (const std::uint32_t stick : some.stick) own.emplace_back(push[stick]);
-  const SpringNetwork part = part_of(topology, some.stick);
+  const SpringNetwork part = part_of(network, some.stick);
   const reference::State state = moved_sticks(part, input.scene.dynamics, std::move(own), frames);
   some.offset = reference::offsets(part, state);
   for (std::size_t i = 0; i < part.sticks(); ++i) some.velocity.push_back(state.velocity[part.top(i)]);

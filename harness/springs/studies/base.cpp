@@ -21,9 +21,9 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
 }
 
 Setting setting_of(SubjectContext& context, const Scene& scene) {
-  SpringNetwork topology = topology_of(scene, *context.mesh_of(scene));
-  const Dynamics dynamics = dynamics_of(scene.dynamics, topology);
-  return {std::move(topology), dynamics, {}, 0};
+  SpringNetwork network = network_of(scene, *context.mesh_of(scene));
+  const Dynamics dynamics = dynamics_of(scene.dynamics, network);
+  return {std::move(network), dynamics, {}, 0};
 }
 
 const Motions& exact_of(SubjectContext& context, const Scene& scene, const Setting& setting) {
@@ -34,30 +34,30 @@ const Motions& exact_of(SubjectContext& context, const Scene& scene, const Setti
   any.dynamics.tolerance = 0;
   any.dynamics.solver = highest_order.name;
   std::any& exact = context.shared["exact second of " + scene_hash(any)];
-  if (!exact.has_value()) exact = exact_second(setting.topology, setting.dynamics, 1e-4f);
+  if (!exact.has_value()) exact = exact_second(setting.network, setting.dynamics, 1e-4f);
   return std::any_cast<const Motions&>(exact);
 }
 
-Motions rest_motions(const SpringNetwork& topology) {
+Motions rest_motions(const SpringNetwork& network) {
   Motions state;
-  for (const glm::vec3& n : topology.normal) state.offset.push_back(topology.length * n);
-  state.speed.assign(topology.sticks(), glm::vec3(0));
+  for (const glm::vec3& n : network.normal) state.offset.push_back(network.length * n);
+  state.speed.assign(network.sticks(), glm::vec3(0));
   return state;
 }
 
-reference::State reference_state(const SpringNetwork& topology, const Motions& motions) {
-  reference::State state = reference::rest(topology);
-  for (std::size_t i = 0; i < topology.sticks(); ++i) {
-    state.position[topology.top(i)] = state.position[i] + glm::dvec3(motions.offset[i]);
-    state.velocity[topology.top(i)] = glm::dvec3(motions.speed[i]);
+reference::State reference_state(const SpringNetwork& network, const Motions& motions) {
+  reference::State state = reference::rest(network);
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    state.position[network.top(i)] = state.position[i] + glm::dvec3(motions.offset[i]);
+    state.velocity[network.top(i)] = glm::dvec3(motions.speed[i]);
   }
   return state;
 }
 
-std::vector<glm::vec3> reference_offsets(const SpringNetwork& topology, const Dynamics& dynamics,
+std::vector<glm::vec3> reference_offsets(const SpringNetwork& network, const Dynamics& dynamics,
                                          const Motions& start, long first, long steps) {
   const std::vector<glm::dvec3> offsets = reference::offsets(
-      topology, reference::after({topology, dynamics}, reference_state(topology, start), first, steps));
+      network, reference::after({network, dynamics}, reference_state(network, start), first, steps));
   return {offsets.begin(), offsets.end()};
 }
 
@@ -83,15 +83,15 @@ void bounded(const cl::Queue& queue, const MassSprings& masses) {
 }
 
 void Study::describe(Row& row) {
-  row.metrics["triangles"] = {double(setting_.topology.corner.size()), "triangles"};
-  row.metrics["sticks"] = {double(setting_.topology.sticks()), "sticks"};
-  row.metrics["stick_area"] = {setting_.topology.stick_area, "R^2"};
+  row.metrics["triangles"] = {double(setting_.network.corner.size()), "triangles"};
+  row.metrics["sticks"] = {double(setting_.network.sticks()), "sticks"};
+  row.metrics["stick_area"] = {setting_.network.stick_area, "R^2"};
   row.metrics["step_ms"] = {1e3 * double(setting_.dynamics.step), "ms"};
   row.identity.insert(programs_.begin(), programs_.end());
 }
 
 Cost Study::from_rest(MassSprings& masses, double seconds) const {
-  const Motions start = rest_motions(setting_.topology);
+  const Motions start = rest_motions(setting_.network);
   masses.set(queue_, start.offset, start.speed);
   queue_.finish();
   return cost_of([&] { simulate(queue_, masses, setting_.dynamics, seconds); });

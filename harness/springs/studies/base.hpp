@@ -23,14 +23,14 @@ Setting setting_of(SubjectContext& context, const Scene& scene);
 const Motions& exact_of(SubjectContext& context, const Scene& scene, const Setting& setting);
 
 /// Returns the state at rest: every stick points along its normal, and all velocities are 0.
-Motions rest_motions(const SpringNetwork& topology);
+Motions rest_motions(const SpringNetwork& network);
 
 /// Converts the positions and velocities of the top masses to a state of the double-precision reference.
-reference::State reference_state(const SpringNetwork& topology, const Motions& motions);
+reference::State reference_state(const SpringNetwork& network, const Motions& motions);
 
 /// Returns the positions of the top masses after `steps` time steps of the reference, from the state `start`
 /// after `first` time steps.
-std::vector<glm::vec3> reference_offsets(const SpringNetwork& topology, const Dynamics& dynamics,
+std::vector<glm::vec3> reference_offsets(const SpringNetwork& network, const Dynamics& dynamics,
                                          const Motions& start, long first, long steps);
 
 /// Simulates `seconds` of motion. Each call of masses.enqueue() simulates about `look` seconds, but at least

@@ -21,7 +21,7 @@ class EnergyStudy : public Study {
     if (conservative_) need_conservative();
   }
   FrameSample frame() override {
-    MassSprings masses(queue_, setting_.topology, setting_.dynamics);
+    MassSprings masses(queue_, setting_.network, setting_.dynamics);
     add_programs(programs_, {&masses.program()});
     energy_.clear();
     if (conservative_) energy_[0] = energy(masses);
@@ -70,8 +70,8 @@ class EnergyStudy : public Study {
   // of the simulation. `drift_most` is the largest absolute change from the start to any recorded time. Their
   // unit is the energy that all masses would release if they fell by the fur's length.
   void describe_drift(Row& row) const {
-    const double unit = double(setting_.topology.sticks()) * double(setting_.dynamics.mass) *
-                        double(glm::length(setting_.dynamics.gravity)) * double(setting_.topology.length);
+    const double unit = double(setting_.network.sticks()) * double(setting_.dynamics.mass) *
+                        double(glm::length(setting_.dynamics.gravity)) * double(setting_.network.length);
     const double start = energy_.begin()->second;
     double most = 0;
     for (const auto& [time, joules] : energy_) most = std::max(most, std::abs(joules - start));
@@ -79,9 +79,9 @@ class EnergyStudy : public Study {
     row.metrics["drift_most"] = {most / unit, "of m g L0"};
   }
   double energy(const MassSprings& masses) const {
-    const reference::System system{setting_.topology, setting_.dynamics};
+    const reference::System system{setting_.network, setting_.dynamics};
     const reference::State state =
-        reference_state(setting_.topology, {masses.offsets(queue_), masses.speeds(queue_)});
+        reference_state(setting_.network, {masses.offsets(queue_), masses.speeds(queue_)});
     return conservative_ ? reference::total_energy(system, state) : reference::energy(system, state);
   }
 

@@ -32,7 +32,7 @@ class ErrorStudy : public Study {
   ErrorStudy(const cl::Device& device, Setting setting, ErrorLimit limit)
       : Study(device, std::move(setting)),
         limit_(std::move(limit)),
-        masses_(queue_, setting_.topology, setting_.dynamics) {
+        masses_(queue_, setting_.network, setting_.dynamics) {
     add_programs(programs_, {&masses_.program()});
   }
   FrameSample frame() override { return {.wall_ms = from_rest(masses_).wall_ms}; }
@@ -50,7 +50,7 @@ class ErrorStudy : public Study {
 
  protected:
   Spread error() const {
-    return spread(masses_.offsets(queue_), limit_.exact->offset, double(setting_.topology.length));
+    return spread(masses_.offsets(queue_), limit_.exact->offset, double(setting_.network.length));
   }
 
   ErrorLimit limit_;
@@ -158,13 +158,13 @@ class EqualError : public Turns {
 
 }  // namespace
 
-Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step) {
+Motions exact_second(const SpringNetwork& network, const Dynamics& dynamics, float step) {
   Dynamics fine = dynamics;
   fine.solver = highest_order;
   fine.step = step;
   const long steps = std::lround(1 / double(step));
-  const auto run = serial_in_double(topology, fine);
-  run->set(rest_motions(topology));
+  const auto run = serial_in_double(network, fine);
+  run->set(rest_motions(network));
   for (long done = 0; done < steps; done += 1000) {
     const int count = int(std::min(1000L, steps - done));
     run->advance(moments(fine, done, count), count);
@@ -244,14 +244,14 @@ class JacobianStudy : public Study {
  private:
   // Simulates one second with the reference and returns the errors of the positions.
   Spread error(bool full) const {
-    const SpringNetwork& topology = setting_.topology;
+    const SpringNetwork& network = setting_.network;
     Dynamics dynamics = setting_.dynamics;
     dynamics.solver =
         *std::find_if(solvers.begin(), solvers.end(), [](const Solver& s) { return s.implicit; });
     dynamics.full_jacobian = full;
     const long steps = std::lround(1 / double(dynamics.step));
-    return spread(reference_offsets(topology, dynamics, rest_motions(topology), 0, steps), exact_.offset,
-                  double(topology.length));
+    return spread(reference_offsets(network, dynamics, rest_motions(network), 0, steps), exact_.offset,
+                  double(network.length));
   }
   Motions exact_;
   Spread pruned_, full_;

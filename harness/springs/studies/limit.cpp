@@ -11,15 +11,15 @@ constexpr double least_step = 1e-5, most_step = 1, precision = 1.02;
 
 class Trial {
  public:
-  Trial(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics, double look)
-      : queue_(queue), topology_(topology), dynamics_(dynamics), look_(look) {
+  Trial(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics, double look)
+      : queue_(queue), network_(network), dynamics_(dynamics), look_(look) {
     dynamics_.lost_stretch = most_stick;
   }
 
   bool stable(double step) {
     ++tried_;
     dynamics_.step = float(step);
-    MassSprings masses(queue_, topology_, dynamics_);
+    MassSprings masses(queue_, network_, dynamics_);
     try {
       simulate(queue_, masses, dynamics_, limit_seconds, look_, [&](double) {
         masses.check(queue_);
@@ -35,20 +35,20 @@ class Trial {
   // lengths.
   double longest(double step) {
     dynamics_.step = float(step);
-    MassSprings masses(queue_, topology_, dynamics_);
+    MassSprings masses(queue_, network_, dynamics_);
     double most = 0;
     simulate(queue_, masses, dynamics_, limit_seconds, step, [&](double) {
       for (const glm::vec3& q : masses.offsets(queue_)) most = std::max(most, double(glm::length(q)));
       return true;
     });
-    return most / double(topology_.length);
+    return most / double(network_.length);
   }
 
   int tried() const { return tried_; }
 
  private:
   const cl::Queue& queue_;
-  const SpringNetwork& topology_;
+  const SpringNetwork& network_;
   Dynamics dynamics_;
   double look_;
   int tried_ = 0;
@@ -56,9 +56,9 @@ class Trial {
 
 }  // namespace
 
-Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
+Limit longest_step(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics,
                    double look) {
-  Trial trial(queue, topology, dynamics, look);
+  Trial trial(queue, network, dynamics, look);
   // The search begins with the longest step, because the computing time increases as the step decreases.
   double low = most_step, high = most_step;
   while (!trial.stable(low)) {
@@ -80,12 +80,12 @@ class LimitStudy : public Study {
   using Study::Study;
   FrameSample frame() override {
     if (found_.step > 0) return {.wall_ms = taken_};
-    found_ = longest_step(queue_, setting_.topology, setting_.dynamics);
+    found_ = longest_step(queue_, setting_.network, setting_.dynamics);
     if (found_.step == 0)
       throw OutOfBounds(
           "with every time step above 15 us, a stick reaches twice its rest length within two seconds");
     setting_.dynamics.step = float(found_.step);
-    MassSprings masses(queue_, setting_.topology, setting_.dynamics);
+    MassSprings masses(queue_, setting_.network, setting_.dynamics);
     add_programs(programs_, {&masses.program()});
     taken_ = from_rest(masses).wall_ms;
     return {.wall_ms = taken_};

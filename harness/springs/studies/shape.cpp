@@ -11,17 +11,17 @@
 
 namespace pelage::springs {
 
-Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offset) {
+Shape shape_of(const SpringNetwork& network, const std::vector<glm::vec3>& offset) {
   Shape shape;
   std::vector<double> lean;
   shape.height_least = std::numeric_limits<double>::infinity();
   std::map<std::uint32_t, std::vector<std::size_t>> sticks_at;
-  for (std::size_t i = 0; i < topology.sticks(); ++i) {
-    const glm::dvec3 q(offset[i]), n(topology.normal[i]);
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    const glm::dvec3 q(offset[i]), n(network.normal[i]);
     // The arc tangent is precise for small angles; the arc cosine is not.
     lean.push_back(std::atan2(glm::length(glm::cross(n, q)), glm::dot(n, q)) * 180 / std::numbers::pi);
-    shape.height_least = std::min(shape.height_least, glm::dot(n, q) / double(topology.length));
-    sticks_at[topology.point[i]].push_back(i);
+    shape.height_least = std::min(shape.height_least, glm::dot(n, q) / double(network.length));
+    sticks_at[network.point[i]].push_back(i);
   }
   const auto [least, most] = std::minmax_element(lean.begin(), lean.end());
   shape.lean_least = *least, shape.lean_most = *most, shape.lean_median = median(lean);
@@ -32,7 +32,7 @@ Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offs
     for (const std::size_t a : sticks)
       for (const std::size_t b : sticks)
         gap = std::max(gap, glm::distance(glm::dvec3(offset[a]), glm::dvec3(offset[b])));
-    gaps.push_back(gap / double(topology.length));
+    gaps.push_back(gap / double(network.length));
   }
   shape.gap_points = gaps.size();
   if (gaps.empty()) return shape;
@@ -54,7 +54,7 @@ class ShapeStudy : public Study {
   ShapeStudy(const cl::Device& device, Setting setting, double seconds)
       : Study(device, std::move(setting)),
         seconds_(seconds),
-        masses_(queue_, setting_.topology, setting_.dynamics) {
+        masses_(queue_, setting_.network, setting_.dynamics) {
     if (!(seconds_ > 0))
       throw InputError(
           "dynamics.time = 0: the pipeline springs-shape measures the fur after dynamics.time seconds; give a time above 0");
@@ -63,22 +63,22 @@ class ShapeStudy : public Study {
   FrameSample frame() override { return {.wall_ms = from_rest(masses_, seconds_).wall_ms}; }
   std::vector<Check> check(const Picture&) override {
     bounded(queue_, masses_);
-    const SpringNetwork& topology = setting_.topology;
+    const SpringNetwork& network = setting_.network;
     const std::vector<glm::vec3> expected =
-        reference_offsets(topology, setting_.dynamics, rest_motions(topology), 0, masses_.steps());
-    return agreement_checks(topology.kind, against_reference,
-                            spread(masses_.offsets(queue_), expected, double(topology.length)));
+        reference_offsets(network, setting_.dynamics, rest_motions(network), 0, masses_.steps());
+    return agreement_checks(network.kind, against_reference,
+                            spread(masses_.offsets(queue_), expected, double(network.length)));
   }
   void describe(Row& row) override {
     Study::describe(row);
-    const Shape shape = shape_of(setting_.topology, masses_.offsets(queue_));
+    const Shape shape = shape_of(setting_.network, masses_.offsets(queue_));
     row.metrics["lean_median"] = {shape.lean_median, "degrees"};
     row.metrics["lean_least"] = {shape.lean_least, "degrees"};
     row.metrics["lean_most"] = {shape.lean_most, "degrees"};
     row.metrics["height_least"] = {shape.height_least, "of the length"};
     double fastest = 0;
     for (const glm::vec3& v : masses_.speeds(queue_)) fastest = std::max(fastest, double(glm::length(v)));
-    row.metrics["speed_most"] = {fastest / double(setting_.topology.length), "lengths/s"};
+    row.metrics["speed_most"] = {fastest / double(setting_.network.length), "lengths/s"};
     describe_gap(shape, row);
   }
 

@@ -27,7 +27,7 @@ class SolverFrames : public Study {
       : Study(device, std::move(setting)),
         substeps_(substeps),
         alone_(alone),
-        masses_(queue_, setting_.topology, setting_.dynamics),
+        masses_(queue_, setting_.network, setting_.dynamics),
         measure_(device, "measure/measure.cl", "-D LANES=1"),
         nothing_(measure_, "nothing_of_seven") {
     for (cl::Buffer<float>& one : nowhere_) one = cl::Buffer<float>(device, 1);
@@ -52,23 +52,23 @@ class SolverFrames : public Study {
 
   std::vector<Check> check(const Picture&) override {
     bounded(queue_, masses_);
-    if (!setting_.dynamics.solver.implicit || setting_.topology.sticks() <= most_factored)
-      return agreement(against_reference, reference_offsets(setting_.topology, setting_.dynamics,
+    if (!setting_.dynamics.solver.implicit || setting_.network.sticks() <= most_factored)
+      return agreement(against_reference, reference_offsets(setting_.network, setting_.dynamics,
                                                             setting_.start, setting_.steps, substeps_));
     return alone_ && substeps_ == 1 ? step_checks(masses_.offsets(queue_)) : std::vector<Check>{};
   }
 
   /// Returns the checks of our positions against others.
   std::vector<Check> agreement(const std::string& against, const std::vector<glm::vec3>& theirs) const {
-    return agreement_checks(setting_.topology.kind, against,
-                            spread(masses_.offsets(queue_), theirs, double(setting_.topology.length)));
+    return agreement_checks(setting_.network.kind, against,
+                            spread(masses_.offsets(queue_), theirs, double(setting_.network.length)));
   }
 
   void describe(Row& row) override {
     Study::describe(row);
     row.build_ms = masses_.program().build_ms();
     row.provenance["kernel_hash"] = cl::hash_of({&masses_.program()});
-    row.metrics["springs"] = {double(setting_.topology.spring.size()), "springs"};
+    row.metrics["springs"] = {double(setting_.network.spring.size()), "springs"};
     row.metrics["device_bytes"] = {double(masses_.bytes()), "bytes"};
     row.metrics["substeps"] = {double(substeps_), "steps"};
     row.metrics["enqueue_ms"] = {median(enqueue_), "ms"};
@@ -76,7 +76,7 @@ class SolverFrames : public Study {
     if (masses_.solves().solves > 0)
       row.metrics["iterations"] = {double(masses_.solves().iterations) / double(masses_.solves().solves),
                                    "iterations"};
-    describe_gap(shape_of(setting_.topology, masses_.offsets(queue_)), row);
+    describe_gap(shape_of(setting_.network, masses_.offsets(queue_)), row);
   }
 
   /// Returns the times of the launches of an empty kernel in the last `count` rounds, in ms.
@@ -97,10 +97,10 @@ class SolverFrames : public Study {
       moved.push_back(before.offset[i] + setting_.dynamics.step * speeds[i]);
     }
     const double left =
-        reference::residual({setting_.topology, setting_.dynamics},
-                            reference_state(setting_.topology, before), setting_.steps, change);
+        reference::residual({setting_.network, setting_.dynamics}, reference_state(setting_.network, before),
+                            setting_.steps, change);
     return {{against_reference, "residual", left, tolerance::step_residual, false},
-            {"own speeds", "worst", spread(offsets, moved, double(setting_.topology.length)).worst,
+            {"own speeds", "worst", spread(offsets, moved, double(setting_.network.length)).worst,
              tolerance::stick_top, false}};
   }
 
@@ -116,15 +116,15 @@ class SolverFrames : public Study {
 /// The steps of one frame by a baseline.
 class BaselineFrames : public Subject {
  public:
-  BaselineFrames(NamedRival baseline, Motions start, std::vector<Moment> moments, int substeps)
+  BaselineFrames(NamedBaseline baseline, Motions start, std::vector<Moment> moments, int substeps)
       : baseline_(std::move(baseline)),
         start_(std::move(start)),
         moments_(std::move(moments)),
         substeps_(substeps) {}
 
   FrameSample frame() override {
-    baseline_.rival->set(start_);
-    const Cost cost = cost_of([&] { baseline_.rival->advance(moments_, substeps_); });
+    baseline_.solver->set(start_);
+    const Cost cost = cost_of([&] { baseline_.solver->advance(moments_, substeps_); });
     ++frames_;
     // After their work, OpenMP threads wait in a loop for a short time, which uses CPU time. The pause of 10
     // ms keeps this CPU time out of the next measurement.
@@ -134,16 +134,16 @@ class BaselineFrames : public Subject {
   Picture read() override { return {}; }
   std::vector<Check> check(const Picture&) override { return {}; }
   void describe(Row& row) override {
-    if (baseline_.rival->iterations() > 0)
+    if (baseline_.solver->iterations() > 0)
       row.metrics[baseline_.name + "_iterations"] = {
-          double(baseline_.rival->iterations()) / double(substeps_) / double(frames_), "iterations"};
+          double(baseline_.solver->iterations()) / double(substeps_) / double(frames_), "iterations"};
   }
 
-  std::vector<glm::vec3> offsets() const { return baseline_.rival->state().offset; }
+  std::vector<glm::vec3> offsets() const { return baseline_.solver->state().offset; }
   int threads() const { return baseline_.threads; }
 
  private:
-  NamedRival baseline_;
+  NamedBaseline baseline_;
   Motions start_;
   std::vector<Moment> moments_;
   int substeps_;
@@ -171,7 +171,7 @@ std::unique_ptr<Subject> solver_frames(const cl::Device& device, Setting setting
                                        bool baselines) {
   std::vector<Turn> others;
   if (baselines)
-    for (NamedRival& one : solver_rivals(setting.topology, setting.dynamics)) {
+    for (NamedBaseline& one : solver_baselines(setting.network, setting.dynamics)) {
       const std::string name = one.name;
       others.push_back({name, std::make_unique<BaselineFrames>(
                                   std::move(one), setting.start,
@@ -193,10 +193,10 @@ std::unique_ptr<Subject> solver_frames(const cl::Device& device, Setting setting
 std::unique_ptr<Subject> solver_after_start(SubjectContext& context, const Case& which, bool baselines) {
   const Scene scene = scene_with_springs(context, which);
   Setting setting = setting_of(context, scene);
-  setting.start = rest_motions(setting.topology);
+  setting.start = rest_motions(setting.network);
   if (scene.dynamics.time > 0) {
     const cl::Queue queue(context.device);
-    MassSprings before(queue, setting.topology, setting.dynamics);
+    MassSprings before(queue, setting.network, setting.dynamics);
     simulate(queue, before, setting.dynamics, double(scene.dynamics.time));
     setting.start = {before.offsets(queue), before.speeds(queue)};
     setting.steps = before.steps();

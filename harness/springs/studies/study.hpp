@@ -13,7 +13,7 @@ namespace pelage::springs {
 /// make_solver_against_baselines() set `start`, the initial state. To compute `start`, the device simulates
 /// the motion from rest. The scene's key dynamics.time is the duration of this motion in seconds.
 struct Setting {
-  SpringNetwork topology;
+  SpringNetwork network;
   Dynamics dynamics;
   Motions start;
   long steps = 0;  ///< number of time steps from rest to `start`
@@ -34,7 +34,7 @@ std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Cas
 
 /// Returns the state after one second from rest, computed in double precision by RK4 with steps of `step`
 /// seconds.
-Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step);
+Motions exact_second(const SpringNetwork& network, const Dynamics& dynamics, float step);
 
 /// These functions make the subjects of make_solver_error(), make_solver_turns(), make_solver_jacobian(), and
 /// of make_solver_energy() and make_solver_drift() (`conservative`). `exact` is the exact state after one
@@ -64,7 +64,7 @@ struct Limit {
 /// Finds the longest stable time step by bisection. After every step, the kernels compare the length of every
 /// stick with `most_stick`. The host reads the outcome about every `look` seconds of simulated time, which
 /// only determines how soon an unstable simulation ends.
-Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
+Limit longest_step(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics,
                    double look = 1.0 / 60);
 
 struct Shape {
@@ -80,7 +80,7 @@ struct Shape {
 };
 
 /// Computes the shape. For each stick, `offset` holds the position of the top relative to the base, in R.
-Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offset);
+Shape shape_of(const SpringNetwork& network, const std::vector<glm::vec3>& offset);
 
 /// Adds the metrics `gap_median` and `gap_most` to the row, if any surface point has several sticks.
 void describe_gap(const Shape& shape, Row& row);

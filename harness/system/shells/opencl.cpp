@@ -65,7 +65,7 @@ class ShellsOnDevice : public OnDevice<FrameInput, Shells, ShellOptions> {
     if (!input_->droplets.empty())
       row.metrics["blended_share"] = {reference::blended_share(*input_, frames_simulated()), "1"};
     if (has_springs(input_->scene.dynamics)) {
-      const springs::SpringNetwork network = springs::topology_of(*input_);
+      const springs::SpringNetwork network = springs::network_of(*input_);
       row.metrics["masses"] = {double(network.mass.size()), "masses"};
       row.metrics["springs"] = {double(network.spring.size()), "springs"};
     }

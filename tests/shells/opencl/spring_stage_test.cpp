@@ -113,7 +113,7 @@ FrameInput small_input(const std::string& topology) {
 
 TEST(SpringStage, WindPushesAMassAtRestWithTheScenesStrength) {
   const FrameInput input = small_input("sticks");
-  const springs::Dynamics d = springs::dynamics_of(input.scene.dynamics, springs::topology_of(input));
+  const springs::Dynamics d = springs::dynamics_of(input.scene.dynamics, springs::network_of(input));
   EXPECT_FLOAT_EQ(d.wind.speed * d.drag, 0.01f);
   EXPECT_EQ(d.solver, springs::Solver::semi_implicit_euler);
 }
@@ -122,8 +122,8 @@ TEST(SpringStage, APokePushesTheTrianglesInReachAndNoOther) {
   FrameInput input = small_input("separable-sticks");
   input.scene.dynamics.poke = {
       .point = {0.7f, 0, 0}, .radius = 0.35f, .force = {0, 0.02f, 0}, .spread = 0.01f, .along = {0, 0, 1}};
-  const springs::SpringNetwork topology = springs::topology_of(input);
-  const auto force = springs::pushes(topology, *input.mesh, input.scene.dynamics.poke);
+  const springs::SpringNetwork network = springs::network_of(input);
+  const auto force = springs::pushes(network, *input.mesh, input.scene.dynamics.poke);
   ASSERT_EQ(force.size(), 3 * input.mesh->triangle.size());
   std::size_t poked = 0;
   for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {
@@ -141,17 +141,17 @@ TEST(SpringStage, APokePushesTheTrianglesInReachAndNoOther) {
   EXPECT_GT(poked, 3u);
   EXPECT_LT(poked, input.mesh->triangle.size() / 2);
   input.scene.dynamics.poke.radius = 0;
-  EXPECT_TRUE(springs::pushes(topology, *input.mesh, input.scene.dynamics.poke).empty());
+  EXPECT_TRUE(springs::pushes(network, *input.mesh, input.scene.dynamics.poke).empty());
 }
 
 TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   FrameInput input = small_input("separable-sticks");
   PokeScene& poke = input.scene.dynamics.poke;
   poke = {.point = {3, 0.1f, 0.05f}, .ray = {-2, 0, 0}, .force = {0, 0.02f, 0}};
-  const springs::SpringNetwork topology = springs::topology_of(input);
+  const springs::SpringNetwork network = springs::network_of(input);
   const auto poked = [&] {
     std::vector<std::size_t> found;
-    const auto force = springs::pushes(topology, *input.mesh, poke);
+    const auto force = springs::pushes(network, *input.mesh, poke);
     for (std::size_t i = 0; i < force.size(); ++i)
       if (force[i] != glm::vec3(0)) found.push_back(i);
     return found;
@@ -180,10 +180,10 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   poke.radius = 0.35f;
   const std::vector<std::size_t> around = poked();
   EXPECT_GT(around.size(), 3u);
-  EXPECT_LT(around.size(), topology.sticks() / 2);
-  for (const std::size_t i : around) EXPECT_GT(topology.mass[i].x, 0) << "on the side of the ray";
+  EXPECT_LT(around.size(), network.sticks() / 2);
+  for (const std::size_t i : around) EXPECT_GT(network.mass[i].x, 0) << "on the side of the ray";
   poke.ray = {2, 0, 0};
-  EXPECT_THROW(springs::pushes(topology, *input.mesh, poke), InputError);
+  EXPECT_THROW(springs::pushes(network, *input.mesh, poke), InputError);
 }
 
 TEST(SpringStage, NothingIsDrawnFromMassesThatFlewApart) {

@@ -8,7 +8,6 @@
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "tests/springs/opencl/shim.hpp"
-#include "tests/springs/support/device.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs {
@@ -23,18 +22,18 @@ struct PropertiesOf : testing::TestWithParam<Kind> {};
 // A system without return force (Eq. 5 of paper B), damping and drag, which is conservative. Each top starts
 // with another velocity.
 struct Conservative {
-  SpringNetwork topology;
+  SpringNetwork network;
   Dynamics d;
-  reference::State state = reference::rest(topology);
+  reference::State state = reference::rest(network);
   double start;
   Shim shim;
 
-  Conservative(SpringNetwork network, Solver solver, float step)
-      : topology(std::move(network)), d(without_losses(solver, step)), start(0), shim(topology, d) {
-    std::vector<glm::dvec3> speeds(topology.sticks());
+  Conservative(SpringNetwork built, Solver solver, float step)
+      : network(std::move(built)), d(without_losses(solver, step)), start(0), shim(network, d) {
+    std::vector<glm::dvec3> speeds(network.sticks());
     for (std::size_t i = 0; i < speeds.size(); ++i)
       speeds[i] = glm::dvec3(0.3 * std::sin(double(i)), 0.2, 0.3 * std::cos(double(i)));
-    shim.set(reference::offsets(topology, state), speeds);
+    shim.set(reference::offsets(network, state), speeds);
     start = energy();
   }
   static Dynamics without_losses(Solver solver, float step) {
@@ -46,10 +45,10 @@ struct Conservative {
   double energy() {
     const auto q = shim.offsets(), v = shim.speeds();
     for (std::size_t i = 0; i < q.size(); ++i) {
-      state.position[topology.top(i)] = state.position[i] + q[i];
-      state.velocity[topology.top(i)] = v[i];
+      state.position[network.top(i)] = state.position[i] + q[i];
+      state.velocity[network.top(i)] = v[i];
     }
-    return reference::energy({topology, d}, state);
+    return reference::energy({network, d}, state);
   }
 };
 
@@ -57,11 +56,11 @@ struct Conservative {
 // error is the difference from RK4 with 2048 steps. Halving the time step must divide the error by 2^order,
 // where `order` is the order of the solver.
 TEST_P(PropertiesOf, OrdersOfConvergence) {
-  const SpringNetwork topology = build(GetParam(), square(1), fur_length);
+  const SpringNetwork network = build(GetParam(), square(1), fur_length);
   const auto offsets_after = [&](Solver solver, int steps) {
     Dynamics d = lively(solver);
     d.step = 0.0625f / float(steps);  // exactly representable
-    Shim shim(topology, d);
+    Shim shim(network, d);
     shim.advance(steps);
     return shim.offsets();
   };
@@ -78,16 +77,16 @@ TEST_P(PropertiesOf, OrdersOfConvergence) {
 }
 
 TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
-  const SpringNetwork topology = build(GetParam(), sphere(1), fur_length);
-  const auto rest = reference::offsets(topology, reference::rest(topology));
+  const SpringNetwork network = build(GetParam(), sphere(1), fur_length);
+  const auto rest = reference::offsets(network, reference::rest(network));
   for (const Solver solver : solvers) {
     Dynamics d = still(solver);
     // still() sets a time step of 1/240 s. With this step, explicit Euler would amplify rounding errors, so
     // the test uses the time step of lively(), which is 1 ms for explicit Euler.
     d.step = lively(solver).step;
-    Shim shim(topology, d);
+    Shim shim(network, d);
     shim.advance(500);
-    MassSprings device(queue(), topology, d);
+    MassSprings device(queue(), network, d);
     device.advance(queue(), 500);
     // Normals, positions and rest lengths have values up to about 1 (lengths in R, the mesh radius). Rounding
     // to floats changes these values by up to 6e-8. Differences of positions on the device have a rounding
@@ -132,13 +131,13 @@ TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
 // A stick is tilted and released. The return force (Eq. 5 of paper B) moves the stick back to its normal, and
 // each swing is smaller than the swing before.
 TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
-  const SpringNetwork topology = build(GetParam(), square(1), fur_length);
+  const SpringNetwork network = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
   d.step = 1e-3f;
   d.drag = 0.002f;
-  std::vector<glm::dvec3> q = reference::offsets(topology, reference::rest(topology));
+  std::vector<glm::dvec3> q = reference::offsets(network, reference::rest(network));
   for (glm::dvec3& offset : q) offset = length * glm::normalize(glm::dvec3(1, 0.6, 0));  // 59 degrees
-  Shim shim(topology, d);
+  Shim shim(network, d);
   shim.set(q, std::vector<glm::dvec3>(q.size(), glm::dvec3(0)));
   const auto lean = [&] {
     const glm::dvec3 s = glm::normalize(shim.offsets()[0]);
@@ -166,13 +165,13 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
 // Therefore no top mass may sink below the plane of its root. Without the return force, the top masses must
 // sink below this plane.
 TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
-  const SpringNetwork topology = build(GetParam(), square(2), fur_length);
+  const SpringNetwork network = build(GetParam(), square(2), fur_length);
   for (const float weight : {0.2f, 0.0f}) {
     Dynamics d = still(Solver::semi_implicit_euler);
     d.drag = 0.004f;
     d.gravity = {1, -9.81f, 0.5f};
     d.return_weight = weight;
-    Shim shim(topology, d);
+    Shim shim(network, d);
     double lowest = 1;
     for (int i = 0; i < 100; ++i) {
       shim.advance(24);
@@ -189,18 +188,18 @@ TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
 INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), pelage::test::by_parameter);
 
 TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.stiffness = d.damping = 0;
-  const reference::System system{topology, d};
-  reference::State state = reference::rest(topology);
-  EXPECT_LT(glm::length(reference::forces(system, state, 0)[topology.top(0)]), 1e-14);
+  const reference::System system{network, d};
+  reference::State state = reference::rest(network);
+  EXPECT_LT(glm::length(reference::forces(system, state, 0)[network.top(0)]), 1e-14);
   double last = 0;
   for (int degrees = 10; degrees <= 180; degrees += 10) {
     const double angle = degrees * std::acos(-1.0) / 180;
-    state.position[topology.top(0)] =
+    state.position[network.top(0)] =
         state.position[0] + length * glm::dvec3(std::sin(angle), std::cos(angle), 0);
-    const glm::dvec3 f = reference::forces(system, state, 0)[topology.top(0)];
+    const glm::dvec3 f = reference::forces(system, state, 0)[network.top(0)];
     // |n - s| = 2 sin(angle / 2), 1 - n.s = 2 sin^2(angle / 2)
     EXPECT_NEAR(glm::length(f), double(d.return_weight) * 4 * std::pow(std::sin(angle / 2), 3), 1e-7);
     EXPECT_GT(glm::length(f), last);

@@ -2,10 +2,10 @@
 
 namespace pelage::springs::test {
 
-Shim::Shim(const SpringNetwork& topology, const Dynamics& dynamics)
-    : dynamics_(dynamics), kind_(topology.kind), layout_(lay_out(topology, dynamics.wind)) {
-  memory_.params = params(dynamics, topology.length);
-  memory_.params.sticks = int(topology.sticks());
+Shim::Shim(const SpringNetwork& network, const Dynamics& dynamics)
+    : dynamics_(dynamics), kind_(network.kind), layout_(lay_out(network, dynamics.wind)) {
+  memory_.params = params(dynamics, network.length);
+  memory_.params.sticks = int(network.sticks());
   memory_.params.blocks = layout_.slices / layout_.corners;
   memory_.params.blocks_per_item = 1;
   memory_.layout = &layout_;

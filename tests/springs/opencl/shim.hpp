@@ -37,17 +37,16 @@ void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
 /// prism_substep and gradients_substep compute the substep with the index `substep` of a launch on prisms.
 /// gradients_substep uses backward Euler. It iterates conjugate gradients until the relative residual is at
-/// most `residual`, and returns the number of iterations.
+/// most `residual`.
 void prism_substep(Solver solver, Memory& memory, int substep);
-int gradients_substep(Memory& memory, int substep, double residual);
+void gradients_substep(Memory& memory, int substep, double residual);
 /// prisms_whole and gradients_whole compute memory.params.substeps substeps on prisms in a single work-item.
-/// They return the number of conjugate gradient iterations (0 for explicit solvers).
-int prisms_whole(Solver solver, Memory& memory);
-int gradients_whole(Memory& memory, double residual);
+void prisms_whole(Solver solver, Memory& memory);
+void gradients_whole(Memory& memory, double residual);
 
 class Shim {
  public:
-  Shim(const SpringNetwork& topology, const Dynamics& dynamics);
+  Shim(const SpringNetwork& network, const Dynamics& dynamics);
   void push(const std::vector<glm::vec3>& force);
   /// Advances by `substeps` steps. If `whole` is set, one work-item computes all of them (prisms only).
   void advance(int substeps, bool whole = false);

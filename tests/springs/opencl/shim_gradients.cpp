@@ -15,7 +15,7 @@ using namespace in_double;
 
 namespace pelage::springs::test {
 
-int gradients_substep(Memory& m, int substep, double residual) {
+void gradients_substep(Memory& m, int substep, double residual) {
   namespace kernels = gradients_in_double;
   const Layout& l = *m.layout;
   const int chunks = 16 * l.slices;
@@ -55,10 +55,9 @@ int gradients_substep(Memory& m, int substep, double residual) {
     kernels::gradients_move(m.params, chunks, m.params.first_step + substep, m.change.data(), m.offset.data(),
                             m.speed.data(), m.reach.data(), m.diverged_at.data(), m.first.data());
   });
-  return done;
 }
 
-int gradients_whole(Memory& m, double residual) {
+void gradients_whole(Memory& m, double residual) {
   const Layout& l = *m.layout;
   const std::size_t places = l.places();
   std::vector<double> diagonal(6 * places), inverse(6 * places), coupling(3 * l.neighbour.size()),
@@ -71,7 +70,6 @@ int gradients_whole(Memory& m, double residual) {
       l.neighbour.data(), m.rest.data(), m.root.data(), m.reach.data(), m.offset.data(), m.speed.data(),
       m.change.data(), diagonal.data(), inverse.data(), coupling.data(), r.data(), d.data(), product.data(),
       sums.data(), m.diverged_at.data(), m.first.data(), solved.data());
-  return int(solved[0]);
 }
 
 }  // namespace pelage::springs::test

@@ -45,7 +45,7 @@ void prism_substep(Solver solver, Memory& m, int substep) {
   m.tip = tip;
 }
 
-int prisms_whole(Solver solver, Memory& m) {
+void prisms_whole(Solver solver, Memory& m) {
   namespace kernels = prisms_in_double;
   const Layout& l = *m.layout;
   in_double::work_item = 0;
@@ -57,14 +57,13 @@ int prisms_whole(Solver solver, Memory& m) {
                              l.neighbour.data(), m.rest.data(), m.tip.data(), m.speed.data(), m.offset.data(),
                              other_tip.data(), other_speed.data(), spare_tip.data(), spare_speed.data(),
                              offset.data(), sum.data(), rate.data(), m.diverged_at.data(), m.first.data());
-    return 0;
+    return;
   }
   kernels::prism_euler_whole(m.params, solver == Solver::semi_implicit_euler, m.moments.data(),
                              m.sites.data(), m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(),
                              m.tip.data(), m.speed.data(), m.offset.data(), other_tip.data(),
                              other_speed.data(), m.diverged_at.data(), m.first.data());
   if (m.params.substeps % 2 == 1) m.tip = other_tip, m.speed = other_speed;
-  return 0;
 }
 
 }  // namespace pelage::springs::test

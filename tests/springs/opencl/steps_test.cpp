@@ -12,7 +12,6 @@
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "tests/springs/opencl/shim.hpp"
-#include "tests/springs/support/device.hpp"
 #include "tests/springs/support/differences.hpp"
 #include "tests/springs/support/scenes.hpp"
 
@@ -29,20 +28,20 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
   const Dynamics dynamics = lively(solver);
   const int steps = int(std::lround(1 / dynamics.step));
   for (const Mesh& mesh : {square(1), square(2), sphere(1)}) {  // with 5, 13 and 42 points
-    const SpringNetwork topology = build(kind, mesh, fur_length);
-    reference::System system{topology, dynamics};
-    system.push.assign(topology.sticks(), glm::dvec3(0));
-    const std::vector<glm::vec3> force = poke(topology, 1, {0.004f, -0.01f, 0.006f});
+    const SpringNetwork network = build(kind, mesh, fur_length);
+    reference::System system{network, dynamics};
+    system.push.assign(network.sticks(), glm::dvec3(0));
+    const std::vector<glm::vec3> force = poke(network, 1, {0.004f, -0.01f, 0.006f});
     for (std::size_t i = 0; i < force.size(); ++i) system.push[i] = glm::dvec3(force[i]);
-    const reference::State rest = reference::rest(topology);
-    const auto offsets = reference::offsets(topology, reference::after(system, rest, 0, steps));
-    EXPECT_GT(largest_difference(reference::offsets(topology, rest), offsets), 0.01) << "something moved";
+    const reference::State rest = reference::rest(network);
+    const auto offsets = reference::offsets(network, reference::after(system, rest, 0, steps));
+    EXPECT_GT(largest_difference(reference::offsets(network, rest), offsets), 0.01) << "something moved";
 
     // Prisms have two sets of kernels: one for many work-items and one for a single work-item.
     std::vector<Whole> mappings{Whole::never};
     if (kind == Kind::prisms) mappings.push_back(Whole::always);
     for (const Whole whole : mappings) {
-      Shim shim(topology, dynamics);
+      Shim shim(network, dynamics);
       shim.push(force);
       for (int done = 0; done < steps; done += 50)
         shim.advance(std::min(50, steps - done), whole == Whole::always);
@@ -50,12 +49,12 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
       // floats. The tolerance permits the effect of this rounding.
       EXPECT_LT(largest_difference(shim.offsets(), offsets), tolerance::float_records * double(fur_length));
 
-      MassSprings device(queue(), topology, dynamics, {.whole = whole});
+      MassSprings device(queue(), network, dynamics, {.whole = whole});
       device.push(queue(), force);
       for (int done = 0; done < steps; done += 50) device.advance(queue(), std::min(50, steps - done));
       EXPECT_LT(largest_difference(device.offsets(queue()), offsets),
                 tolerance::stick_top * double(fur_length));
-      std::printf("%zu sticks: kernels in double %.2g, device %.2g of the fur's length\n", topology.sticks(),
+      std::printf("%zu sticks: kernels in double %.2g, device %.2g of the fur's length\n", network.sticks(),
                   largest_difference(shim.offsets(), offsets) / double(fur_length),
                   largest_difference(device.offsets(queue()), offsets) / double(fur_length));
     }
@@ -71,11 +70,10 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
     for (const Solver solver : solvers) {
       const Dynamics dynamics = lively(solver);
       const int steps = int(std::lround(1 / dynamics.step));
-      const SpringNetwork topology = build(kind, *mesh, fur_length);
-      const reference::State end =
-          reference::after({topology, dynamics}, reference::rest(topology), 0, steps);
-      const std::vector<glm::dvec3> offsets = reference::offsets(topology, end);
-      MassSprings device(queue(), topology, dynamics);
+      const SpringNetwork network = build(kind, *mesh, fur_length);
+      const reference::State end = reference::after({network, dynamics}, reference::rest(network), 0, steps);
+      const std::vector<glm::dvec3> offsets = reference::offsets(network, end);
+      MassSprings device(queue(), network, dynamics);
       device.advance(queue(), steps);
       const Spread error =
           spread(device.offsets(queue()), {offsets.begin(), offsets.end()}, double(fur_length));
@@ -106,12 +104,12 @@ Dynamics stiff(float stiffness, float step, float asked, float share = 1) {
 // Returns the relative residual |b - A x| / |b| of one backward Euler step from rest, computed in double
 // precision. The solution x is the change of the velocities. Because the step starts from rest, x is equal to
 // the new velocities. The test can therefore read x from the device without an additional rounding error.
-double residual_left(const SpringNetwork& topology, const Dynamics& dynamics, Whole whole) {
-  MassSprings device(queue(), topology, dynamics, {.whole = whole});
+double residual_left(const SpringNetwork& network, const Dynamics& dynamics, Whole whole) {
+  MassSprings device(queue(), network, dynamics, {.whole = whole});
   device.advance(queue(), 1);
   const std::vector<glm::vec3> speeds = device.speeds(queue());
   const std::vector<glm::dvec3> change(speeds.begin(), speeds.end());
-  const double left = reference::residual({topology, dynamics}, reference::rest(topology), 0, change);
+  const double left = reference::residual({network, dynamics}, reference::rest(network), 0, change);
   std::printf(
       "k = %g, m = %g g, dt = %.4f, asked %.0e: %.2e left, %.2e by its own reckoning, %ld iterations\n",
       double(dynamics.edge_stiffness), 1e3 * double(dynamics.mass), double(dynamics.step),
@@ -120,16 +118,16 @@ double residual_left(const SpringNetwork& topology, const Dynamics& dynamics, Wh
 }
 
 TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
-  const SpringNetwork topology = build(Kind::prisms, *load_model("banisch-elephant"), fur_length);
+  const SpringNetwork network = build(Kind::prisms, *load_model("banisch-elephant"), fur_length);
   for (const Whole whole : {Whole::never, Whole::always}) {
     for (const float asked : {1e-2f, 1e-3f, 1e-4f})
-      EXPECT_LT(residual_left(topology, stiff(20, 1.0f / 60, asked), whole), 1.05 * double(asked));
-    EXPECT_LT(residual_left(topology, stiff(2, 1.0f / 240, 1e-5f), whole), 1.05e-5);
+      EXPECT_LT(residual_left(network, stiff(20, 1.0f / 60, asked), whole), 1.05 * double(asked));
+    EXPECT_LT(residual_left(network, stiff(2, 1.0f / 240, 1e-5f), whole), 1.05e-5);
     // A residual of 1e-7 cannot be reached, because the vectors from the bases to the tops are floats. Their
     // rounding error is up to 2e-9 R at a length of 0.05 R. The forces of the springs between tops at rest
     // therefore have an error, which is the stiffness times this error. The right-hand side b contains the
     // forces multiplied by the time step, so b has an error, too.
-    EXPECT_LT(residual_left(topology, stiff(20, 1.0f / 60, 1e-7f), whole), 3e-5);
+    EXPECT_LT(residual_left(network, stiff(20, 1.0f / 60, 1e-7f), whole), 3e-5);
   }
 }
 
@@ -140,19 +138,18 @@ TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
 // fail. The mesh is fine, because the rounding error of the kernels' springs is proportional to their
 // lengths.
 TEST(StepsOnAFineSphere, LightMassesBetweenStiffSpringsKeepTheLimitOfTheResidual) {
-  const SpringNetwork topology = build(Kind::prisms, sphere(5), fur_length);
+  const SpringNetwork network = build(Kind::prisms, sphere(5), fur_length);
   const Dynamics dynamics = stiff(20, 1.0f / 60, 1e-5f, 0.01f);
-  const reference::System system{topology, dynamics};
-  reference::State rounded = reference::rest(topology);
+  const reference::System system{network, dynamics};
+  reference::State rounded = reference::rest(network);
   for (glm::dvec3& position : rounded.position) position = glm::dvec3(glm::vec3(position));
   std::vector<glm::dvec3> change = reference::step(system, rounded, 0).velocity;
-  change.erase(change.begin(), change.begin() + std::ptrdiff_t(topology.sticks()));
-  const double wrong = reference::residual(system, reference::rest(topology), 0, change);
-  std::printf("%zu sticks: %.2e left by the exact solution for rounded positions\n", topology.sticks(),
-              wrong);
+  change.erase(change.begin(), change.begin() + std::ptrdiff_t(network.sticks()));
+  const double wrong = reference::residual(system, reference::rest(network), 0, change);
+  std::printf("%zu sticks: %.2e left by the exact solution for rounded positions\n", network.sticks(), wrong);
   EXPECT_GT(wrong, 2 * tolerance::step_residual);
   for (const Whole whole : {Whole::never, Whole::always})
-    EXPECT_LT(residual_left(topology, dynamics, whole), tolerance::step_residual);
+    EXPECT_LT(residual_left(network, dynamics, whole), tolerance::step_residual);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Steps, testing::Combine(testing::ValuesIn(kinds), testing::ValuesIn(solvers)),
@@ -166,21 +163,21 @@ using Whole = MassSpringOptions::Whole;
 struct KernelStep : testing::TestWithParam<Kind> {};
 
 TEST_P(KernelStep, SolvesTheSystemOfFiniteDifferences) {
-  const SpringNetwork topology = build(GetParam(), sphere(0), fur_length);
+  const SpringNetwork network = build(GetParam(), sphere(0), fur_length);
   const Dynamics d = stiff_step();
-  const reference::State state = stretched(topology);
-  const Step step = step_by_differences({topology, d}, state, 0);
-  const std::vector<glm::dvec3> offsets = reference::offsets(topology, state),
-                                before = speeds_of(topology, state);
+  const reference::State state = stretched(network);
+  const Step step = step_by_differences({network, d}, state, 0);
+  const std::vector<glm::dvec3> offsets = reference::offsets(network, state),
+                                before = speeds_of(network, state);
   for (const bool whole : {false, true}) {
     if (whole && !GetParam().shared_edges()) continue;
-    Shim shim(topology, d);
+    Shim shim(network, d);
     shim.set(offsets, before);
     shim.advance(1, whole);
     // The kernels read normals, wind and weight as floats, so the tolerance is that of single precision.
     EXPECT_LT(residual_of(step, before, shim.speeds()), tolerance::float_records) << whole;
 
-    MassSprings device(queue(), topology, d, {.whole = whole ? Whole::always : Whole::never});
+    MassSprings device(queue(), network, d, {.whole = whole ? Whole::always : Whole::never});
     device.set(queue(), {offsets.begin(), offsets.end()}, {before.begin(), before.end()});
     device.advance(queue(), 1);
     const auto speeds = device.speeds(queue());
@@ -191,16 +188,16 @@ TEST_P(KernelStep, SolvesTheSystemOfFiniteDifferences) {
 // Tests a step with all terms of the derivatives. The object rotates, and some springs are stretched, others
 // compressed.
 TEST_P(KernelStep, WithTheFullJacobianIsThatOfTheReferenceOnly) {
-  const SpringNetwork topology = build(GetParam(), sphere(0), fur_length);
+  const SpringNetwork network = build(GetParam(), sphere(0), fur_length);
   Dynamics d = lively(Solver::backward_euler);
   d.step = 1.0f / 60;
   d.edge_damping = 0.05f;
   d.full_jacobian = true;
-  EXPECT_THROW(MassSprings(queue(), topology, d), InputError);
-  for (const reference::State& state : {crumpled(topology), stretched(topology)}) {
-    const Step step = full_step_by_differences({topology, d}, state, 0);
-    const reference::State next = reference::step({topology, d}, state, 0);
-    EXPECT_LT(residual_of(step, speeds_of(topology, state), speeds_of(topology, next)),
+  EXPECT_THROW(MassSprings(queue(), network, d), InputError);
+  for (const reference::State& state : {crumpled(network), stretched(network)}) {
+    const Step step = full_step_by_differences({network, d}, state, 0);
+    const reference::State next = reference::step({network, d}, state, 0);
+    EXPECT_LT(residual_of(step, speeds_of(network, state), speeds_of(network, next)),
               tolerance::float_records);
   }
 }
@@ -213,21 +210,21 @@ INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds), pelage::te
 
 constexpr float span = 1.0f / 60;
 
-std::vector<glm::dvec3> truth(const SpringNetwork& topology, Dynamics dynamics, int frames) {
+std::vector<glm::dvec3> truth(const SpringNetwork& network, Dynamics dynamics, int frames) {
   dynamics.solver = Solver::rk4;
   dynamics.step = span / 64;
-  const reference::State rest = reference::rest(topology);
-  return reference::offsets(topology, reference::after({topology, dynamics}, rest, 0, 64L * frames));
+  const reference::State rest = reference::rest(network);
+  return reference::offsets(network, reference::after({network, dynamics}, rest, 0, 64L * frames));
 }
 
 TEST(AdaptiveSteps, StayNearTheFineSolutionAsTheToleranceAsks) {
-  const SpringNetwork topology = build(Kind::sticks, square(2), fur_length);
+  const SpringNetwork network = build(Kind::sticks, square(2), fur_length);
   for (const Solver solver : solvers) {
     Dynamics d = lively(solver);
-    const auto fine = truth(topology, d, 30);
+    const auto fine = truth(network, d, 30);
     double before = 1e9;
     for (const float tolerance : {1e-2f, 1e-3f, 1e-4f}) {
-      MassSprings masses(queue(), topology, d);
+      MassSprings masses(queue(), network, d);
       AdaptiveSteps steps(span, 1, tolerance);
       long all = 0;
       for (int i = 0; i < 30; ++i) {
@@ -248,9 +245,9 @@ TEST(AdaptiveSteps, StayNearTheFineSolutionAsTheToleranceAsks) {
 }
 
 TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
-  const SpringNetwork topology = build(Kind::separable_prisms, square(1), fur_length);
+  const SpringNetwork network = build(Kind::separable_prisms, square(1), fur_length);
   const auto last = [&](const Dynamics& d) {
-    MassSprings masses(queue(), topology, d);
+    MassSprings masses(queue(), network, d);
     AdaptiveSteps steps(span, 4, 1e-2f);
     int found = 0;
     for (int i = 0; i < 10; ++i) found = steps.advance(queue(), masses).steps;
@@ -268,11 +265,11 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
 // number of steps is larger than at rest. If only one top mass moves (0.6%), the number of steps is the same
 // as at rest.
 TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
-  const SpringNetwork topology = build(Kind::sticks, sphere(2), fur_length);
-  ASSERT_EQ(topology.sticks(), 162u);
+  const SpringNetwork network = build(Kind::sticks, sphere(2), fur_length);
+  ASSERT_EQ(network.sticks(), 162u);
   const auto first = [&](std::size_t poked) {
-    MassSprings masses(queue(), topology, still(Solver::explicit_euler));
-    std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
+    MassSprings masses(queue(), network, still(Solver::explicit_euler));
+    std::vector<glm::vec3> push(network.sticks(), glm::vec3(0));
     for (std::size_t i = 0; i < poked; ++i) push[i * 30] = {0.02f, 0.01f, 0};
     masses.push(queue(), push);
     return AdaptiveSteps(span, 1, 1e-3f).advance(queue(), masses).steps;
@@ -283,12 +280,12 @@ TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
 }
 
 TEST(AdaptiveSteps, SayWhenTheMostAreTooFew) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
-  MassSprings masses(queue(), topology, lively(Solver::explicit_euler));
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
+  MassSprings masses(queue(), network, lively(Solver::explicit_euler));
   EXPECT_THROW(AdaptiveSteps(span, 1, 1e-7f, 64).advance(queue(), masses), InputError);
   Dynamics stiff = lively(Solver::explicit_euler);
   stiff.stiffness = 1e5f;
-  MassSprings lost(queue(), topology, stiff);
+  MassSprings lost(queue(), network, stiff);
   EXPECT_THROW(AdaptiveSteps(1, 1, 1e-2f, 64).advance(queue(), lost), Diverged);
   for (const auto& [length, steps, tolerance, most] :
        {std::tuple(0.0f, 1, 1e-2f, 64), std::tuple(span, 0, 1e-2f, 64), std::tuple(span, 1, 0.0f, 64),

@@ -35,17 +35,17 @@ Pose pose(const Motion& m, double t) {
 // Integrates Newton's law in the world frame by RK4. The bases move with the object. The forces on the top
 // masses are those of springs, gravity, wind and drag, and the return force (Eq. 5 of Banisch and
 // Wuethrich 2006). The world frame has no inertial forces.
-std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, const Dynamics& d, double until,
+std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& network, const Dynamics& d, double until,
                                              int steps) {
   const double h = until / steps, tau = 2 * std::numbers::pi;
-  const std::size_t sticks = topology.sticks();
+  const std::size_t sticks = network.sticks();
   std::vector<glm::dvec3> root, normal, top, speed;
   for (auto* values : {&root, &normal, &top, &speed}) values->reserve(sticks);
   const Pose start = pose(d.motion, 0), soon = pose(d.motion, 1e-6), before = pose(d.motion, -1e-6);
   for (std::size_t i = 0; i < sticks; ++i) {
-    root.emplace_back(topology.mass[i]);
-    normal.emplace_back(topology.normal[i]);
-    const glm::dvec3 rest = root[i] + glm::dvec3(topology.length * topology.normal[i]);
+    root.emplace_back(network.mass[i]);
+    normal.emplace_back(network.normal[i]);
+    const glm::dvec3 rest = root[i] + glm::dvec3(network.length * network.normal[i]);
     top.push_back(start.shift + start.turn * rest);
     speed.push_back(((soon.shift + soon.turn * rest) - (before.shift + before.turn * rest)) / 2e-6);
   }
@@ -64,7 +64,7 @@ std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, cons
       const glm::dvec3 base_v =
           ((next.shift + next.turn * root[i]) - (last.shift + last.turn * root[i])) / 2e-6;
       f[i] -=
-          spring(base, p[i], base_v, v[i], double(topology.length), double(d.stiffness), double(d.damping));
+          spring(base, p[i], base_v, v[i], double(network.length), double(d.stiffness), double(d.damping));
       const glm::dvec3 n = at.turn * normal[i], s = glm::normalize(p[i] - base);
       f[i] += (n - s) * (1 - glm::dot(n, s)) * double(d.return_weight);
       const double swell = std::sin(
@@ -72,9 +72,9 @@ std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, cons
       f[i] += double(d.drag) * (double(d.wind.speed) * (1 + double(d.wind.gust) * swell) * blow - v[i]);
       f[i] += double(d.mass) * glm::dvec3(d.gravity);
     }
-    for (std::size_t k = sticks; k < topology.spring.size(); ++k) {
-      const std::size_t a = topology.spring[k].x - sticks, b = topology.spring[k].y - sticks;
-      const glm::dvec3 pull = spring(p[a], p[b], v[a], v[b], double(topology.rest[k]),
+    for (std::size_t k = sticks; k < network.spring.size(); ++k) {
+      const std::size_t a = network.spring[k].x - sticks, b = network.spring[k].y - sticks;
+      const glm::dvec3 pull = spring(p[a], p[b], v[a], v[b], double(network.rest[k]),
                                      double(d.edge_stiffness), double(d.edge_damping));
       f[a] += pull;
       f[b] -= pull;
@@ -105,14 +105,14 @@ std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, cons
 
 TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
   for (const Kind kind : kinds) {
-    const SpringNetwork topology = build(kind, square(1), fur_length);
+    const SpringNetwork network = build(kind, square(1), fur_length);
     Dynamics d = lively(Solver::rk4);
     d.step = 1e-3f;
     const double until = 400 * double(d.step);
-    const reference::State rest = reference::rest(topology);
-    const auto q = reference::offsets(topology, reference::after({topology, d}, rest, 0, 400));
-    const auto world = offsets_by_the_world(topology, d, until, 1000);
-    EXPECT_GT(largest_difference(q, reference::offsets(topology, rest)), 0.2 * double(fur_length));
+    const reference::State rest = reference::rest(network);
+    const auto q = reference::offsets(network, reference::after({network, d}, rest, 0, 400));
+    const auto world = offsets_by_the_world(network, d, until, 1000);
+    EXPECT_GT(largest_difference(q, reference::offsets(network, rest)), 0.2 * double(fur_length));
     EXPECT_LT(largest_difference(q, world), tolerance::reference_in_world * double(fur_length)) << kind;
   }
 }
@@ -120,19 +120,19 @@ TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
 // The extension x of a stick that is stretched along its axis is a damped oscillation: m x'' + c x' + k x =
 // 0, with the mass m, the damping c and the stiffness k.
 TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::rk4);
   d.step = 1e-4f;
-  reference::State state = reference::rest(topology);
+  reference::State state = reference::rest(network);
   const double start = 0.01;
-  state.position[topology.top(0)] += start * glm::dvec3(topology.normal[0]);
+  state.position[network.top(0)] += start * glm::dvec3(network.normal[0]);
   const double k = double(d.stiffness), c = double(d.damping), m = double(d.mass), decay = c / (2 * m),
                rate = std::sqrt(k / m - decay * decay);
   for (int i = 1; i <= 500; ++i) {
-    state = reference::step({topology, d}, state, i - 1);
+    state = reference::step({network, d}, state, i - 1);
     const double t = i * double(d.step);
     const double x = start * std::exp(-decay * t) * (std::cos(rate * t) + decay / rate * std::sin(rate * t));
-    ASSERT_NEAR(glm::length(reference::offsets(topology, state)[0]), double(fur_length) + x, 1e-8) << i;
+    ASSERT_NEAR(glm::length(reference::offsets(network, state)[0]), double(fur_length) + x, 1e-8) << i;
   }
 }
 
@@ -140,29 +140,29 @@ TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
 // changes v by dv. m is the mass, c the damping and k the stiffness. For this motion the linearised step of
 // backward Euler is exact: (m + h c + h^2 k) dv = -h (k x + (c + h k) v).
 TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);
   d.step = 1.0f / 60;
-  reference::State state = reference::rest(topology);
+  reference::State state = reference::rest(network);
   double x = 0.01, v = 0;
-  state.position[topology.top(0)] += x * glm::dvec3(topology.normal[0]);
+  state.position[network.top(0)] += x * glm::dvec3(network.normal[0]);
   const double h = double(d.step), k = double(d.stiffness), c = double(d.damping), m = double(d.mass);
   for (int i = 0; i < 60; ++i) {
-    state = reference::step({topology, d}, state, i);
+    state = reference::step({network, d}, state, i);
     v = (m * v - h * k * x) / (m + h * c + h * h * k);
     x += h * v;
-    ASSERT_NEAR(glm::length(reference::offsets(topology, state)[0]), double(fur_length) + x, 1e-9) << i;
+    ASSERT_NEAR(glm::length(reference::offsets(network, state)[0]), double(fur_length) + x, 1e-9) << i;
   }
 }
 
 // Newton's third law: the spring forces on all masses, including the fixed ones, sum to 0.
 TEST(ReferenceTopology, SpringsPushBothEnds) {
-  const SpringNetwork topology = build(Kind::prisms, sphere(1), fur_length);
+  const SpringNetwork network = build(Kind::prisms, sphere(1), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.return_weight = 0;
   glm::dvec3 sum(0);
   double size = 0;
-  for (const glm::dvec3& f : reference::forces({topology, d}, crumpled(topology), 0))
+  for (const glm::dvec3& f : reference::forces({network, d}, crumpled(network), 0))
     sum += f, size += glm::length(f);
   EXPECT_GT(size, 1);
   EXPECT_LT(glm::length(sum), 1e-12 * size);
@@ -171,14 +171,14 @@ TEST(ReferenceTopology, SpringsPushBothEnds) {
 // The test computes the derivative of the total energy with respect to the positions by finite differences.
 // The sum of the spring forces and gravity must be the negative of this derivative.
 TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
-  const SpringNetwork topology = build(Kind::prisms, square(2), fur_length);
+  const SpringNetwork network = build(Kind::prisms, square(2), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.return_weight = d.damping = d.edge_damping = 0;
   d.gravity = {1, -9.81f, 2};
-  const reference::State state = crumpled(topology);
-  const reference::System system{topology, d};
+  const reference::State state = crumpled(network);
+  const reference::System system{network, d};
   const auto f = reference::forces(system, state, 0);
-  for (std::size_t i = topology.sticks(); i < state.position.size(); ++i)
+  for (std::size_t i = network.sticks(); i < state.position.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       reference::State up = state, down = state;
       up.position[i][c] += 1e-6;
@@ -193,14 +193,14 @@ TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
 // which excludes the potential energy of gravity, changes by more than 1e-2 of `unit`.
 TEST(ReferenceTopology, TotalEnergyIsKeptWithoutFriction) {
   for (const Kind kind : kinds) {
-    const SpringNetwork topology = build(kind, sphere(0), fur_length);
+    const SpringNetwork network = build(kind, sphere(0), fur_length);
     Dynamics d = still(Solver::rk4);
     d.return_weight = d.damping = d.edge_damping = 0;
     d.gravity = {0, -9.81f, 0};
     d.step = 5e-4f;
-    const reference::System system{topology, d};
-    reference::State state = reference::rest(topology);
-    const double unit = double(topology.sticks()) * double(d.mass) * 9.81 * double(fur_length);
+    const reference::System system{network, d};
+    reference::State state = reference::rest(network);
+    const double unit = double(network.sticks()) * double(d.mass) * 9.81 * double(fur_length);
     const double total = reference::total_energy(system, state), own = reference::energy(system, state);
     state = reference::after(system, state, 0, 1000);
     EXPECT_LT(std::abs(reference::total_energy(system, state) - total), 1e-4 * unit) << kind;
@@ -220,15 +220,15 @@ Matrix matrix_of(const reference::Derivatives& found, bool by_velocity) {
 struct Derivatives : testing::TestWithParam<Kind> {};
 
 TEST_P(Derivatives, AllTermsAreTheFiniteDifferencesOfTheForces) {
-  const SpringNetwork topology = build(GetParam(), sphere(0), fur_length);
+  const SpringNetwork network = build(GetParam(), sphere(0), fur_length);
   Dynamics d = lively(Solver::backward_euler);  // the object rotates
   d.full_jacobian = true;
   d.edge_stiffness = 5;
   d.edge_damping = 0.05f;
   d.return_weight = 0.8f;
-  for (const reference::State& state : {crumpled(topology), stretched(topology)})
+  for (const reference::State& state : {crumpled(network), stretched(network)})
     for (const bool by_velocity : {false, true}) {
-      const reference::System system{topology, d};
+      const reference::System system{network, d};
       const Matrix expected = differences(system, state, 0.37, by_velocity);
       const Matrix found = matrix_of(reference::derivatives(system, state, 0.37), by_velocity);
       EXPECT_LT((found - expected).norm(), 1e-7 * expected.norm()) << by_velocity;
@@ -237,17 +237,17 @@ TEST_P(Derivatives, AllTermsAreTheFiniteDifferencesOfTheForces) {
 }
 
 TEST_P(Derivatives, OfAPrunedStepAreTheFiniteDifferencesOnStretchedSprings) {
-  const SpringNetwork topology = build(GetParam(), sphere(0), fur_length);
+  const SpringNetwork network = build(GetParam(), sphere(0), fur_length);
   const Dynamics d = stiff_step();
-  const reference::State state = stretched(topology);
-  for (std::size_t k = 0; k < topology.spring.size(); ++k) {
-    const glm::uvec2 ends = topology.spring[k];
-    ASSERT_GT(glm::distance(state.position[ends.x], state.position[ends.y]), double(topology.rest[k]));
+  const reference::State state = stretched(network);
+  for (std::size_t k = 0; k < network.spring.size(); ++k) {
+    const glm::uvec2 ends = network.spring[k];
+    ASSERT_GT(glm::distance(state.position[ends.x], state.position[ends.y]), double(network.rest[k]));
   }
-  const reference::System system{topology, d};
+  const reference::System system{network, d};
   const Step step = step_by_differences(system, state, 0);
   const reference::State next = reference::step(system, state, 0);
-  EXPECT_LT(residual_of(step, speeds_of(topology, state), speeds_of(topology, next)), 1e-8);
+  EXPECT_LT(residual_of(step, speeds_of(network, state), speeds_of(network, next)), 1e-8);
   // By default, the reference omits some terms of the derivatives. The remaining derivatives with respect to
   // the positions form a symmetric matrix.
   const Matrix j = matrix_of(reference::derivatives(system, state, d.step), false);
@@ -257,17 +257,17 @@ TEST_P(Derivatives, OfAPrunedStepAreTheFiniteDifferencesOnStretchedSprings) {
 // By default, the reference omits some terms of the derivatives (dynamics.springs.jacobian = "pruned"). If a
 // stick is compressed, the derivative of its force must then contain only the stiffness along the stick.
 TEST(DerivativesOfAStick, KeepOnlyTheForceAlongACompressedSpring) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);
   d.return_weight = 0;
-  reference::State state = reference::rest(topology);
-  for (std::size_t i = 0; i < topology.sticks(); ++i)
-    state.position[topology.top(i)] = state.position[i] + glm::dvec3(0.01, 0.02 + 0.002 * double(i), -0.015);
-  const reference::System system{topology, d};
+  reference::State state = reference::rest(network);
+  for (std::size_t i = 0; i < network.sticks(); ++i)
+    state.position[network.top(i)] = state.position[i] + glm::dvec3(0.01, 0.02 + 0.002 * double(i), -0.015);
+  const reference::System system{network, d};
   const Matrix exact = differences(system, state, 0, false);
   const Matrix found = matrix_of(reference::derivatives(system, state, 0), false);
-  for (std::size_t i = 0; i < topology.sticks(); ++i) {
-    const glm::dvec3 q = state.position[topology.top(i)] - state.position[i];
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    const glm::dvec3 q = state.position[network.top(i)] - state.position[i];
     ASSERT_LT(glm::length(q), double(fur_length));
     const glm::dvec3 s = glm::normalize(q);
     const Eigen::Vector3d along(s.x, s.y, s.z);

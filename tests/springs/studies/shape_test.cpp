@@ -11,7 +11,6 @@
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/study.hpp"
-#include "tests/springs/support/device.hpp"
 #include "tests/springs/support/scenes.hpp"
 #include "tests/support/files.hpp"
 
@@ -50,11 +49,11 @@ constexpr double draught = 1e-5, wind_of_3_m_s = 0.012;
 TEST(Lean, OfUprightFurIsTheBalanceOfMoments) {
   for (const Kind& kind : kinds)
     for (const double force : {draught, wind_of_3_m_s, 0.03}) {
-      const SpringNetwork topology = build(kind, square(1), fur_length);
+      const SpringNetwork network = build(kind, square(1), fur_length);
       const Dynamics d = steady_wind(force);
-      MassSprings masses(queue(), topology, d);
+      MassSprings masses(queue(), network, d);
       for (int second = 0; second < 8; ++second) masses.advance(queue(), 240);
-      const Shape shape = shape_of(topology, masses.offsets(queue()));
+      const Shape shape = shape_of(network, masses.offsets(queue()));
       const double expected = balanced_lean(d, force);
       std::printf("%s, %g N: %.2f degrees, expected %.2f\n", kind.name.data(), force, shape.lean_median,
                   expected);
@@ -92,22 +91,22 @@ TEST(Lean, IsWhatTheDocumentsSay) {
 // The paper states that grass "does not flip to the wrong side of the surface" (Banisch and Wuethrich
 // 2006, section 4). This is true for forces below the constant w of the return force.
 TEST(Lean, OfALoadAboveTheReturnWeightCrossesTheSurface) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
   for (const auto& [load, crosses] : {std::pair(0.19, false), std::pair(0.21, true)}) {
     Dynamics d = steady_wind(draught);
     d.stiffness = 100;
     d.gravity = {0, -float(load / double(d.mass)), 0};
-    MassSprings masses(queue(), topology, d);
+    MassSprings masses(queue(), network, d);
     for (int second = 0; second < 8; ++second) masses.advance(queue(), 240);
-    EXPECT_EQ(shape_of(topology, masses.offsets(queue())).height_least < 0, crosses) << load;
+    EXPECT_EQ(shape_of(network, masses.offsets(queue())).height_least < 0, crosses) << load;
   }
 }
 
 Shape after_gusts(const Kind& kind, const Mesh& mesh, Gusts gusts) {
-  const SpringNetwork topology = build(kind, mesh, fur_length, Vertices::points, gusts);
-  MassSprings masses(queue(), topology, lively(Solver::semi_implicit_euler));
+  const SpringNetwork network = build(kind, mesh, fur_length, Vertices::points, gusts);
+  MassSprings masses(queue(), network, lively(Solver::semi_implicit_euler));
   masses.advance(queue(), 120);
-  return shape_of(topology, masses.offsets(queue()));
+  return shape_of(network, masses.offsets(queue()));
 }
 
 // Several separable sticks stand at one surface point. By default, they have the same constants and the same
@@ -131,12 +130,12 @@ TEST(Gap, OfSeparableSticksNeedsGustsOfTheTriangles) {
 // With Gusts::triangles, the gaps on the device must agree with those of the reference.
 TEST(Gap, IsTheOneOfTheReference) {
   for (const Kind& kind : {Kind::separable_sticks, Kind::separable_prisms}) {
-    const SpringNetwork topology = build(kind, sphere(0), fur_length, Vertices::points, Gusts::triangles);
+    const SpringNetwork network = build(kind, sphere(0), fur_length, Vertices::points, Gusts::triangles);
     const Dynamics d = lively(Solver::semi_implicit_euler);
-    MassSprings masses(queue(), topology, d);
+    MassSprings masses(queue(), network, d);
     masses.advance(queue(), 120);
-    const reference::State state = reference::after({topology, d}, reference::rest(topology), 0, 120);
-    EXPECT_LT(largest_difference(masses.offsets(queue()), reference::offsets(topology, state)),
+    const reference::State state = reference::after({network, d}, reference::rest(network), 0, 120);
+    EXPECT_LT(largest_difference(masses.offsets(queue()), reference::offsets(network, state)),
               tolerance::stick_top * double(fur_length));
   }
 }
@@ -144,12 +143,12 @@ TEST(Gap, IsTheOneOfTheReference) {
 // Two sticks stand at one surface point, and their tops are 0.02 apart. Three sticks stand at another
 // surface point.
 TEST(Gap, IsTheLargestDistanceOfTwoTopsAtAPoint) {
-  SpringNetwork topology;
-  topology.length = 0.1f;
-  topology.normal.assign(5, {0, 1, 0});
-  topology.point = {0, 0, 7, 7, 7};
+  SpringNetwork network;
+  network.length = 0.1f;
+  network.normal.assign(5, {0, 1, 0});
+  network.point = {0, 0, 7, 7, 7};
   const Shape shape =
-      shape_of(topology, {{0, 0.1f, 0}, {0.02f, 0.1f, 0}, {0, 0.1f, 0}, {0, 0.1f, 0.01f}, {0, 0.1f, -0.03f}});
+      shape_of(network, {{0, 0.1f, 0}, {0.02f, 0.1f, 0}, {0, 0.1f, 0}, {0, 0.1f, 0.01f}, {0, 0.1f, -0.03f}});
   EXPECT_EQ(shape.gap_points, 2u);
   EXPECT_NEAR(shape.gap_most, 0.4, 1e-6);
   EXPECT_NEAR(shape.gap_median, 0.3, 1e-6);

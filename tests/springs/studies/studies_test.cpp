@@ -9,7 +9,6 @@
 #include "harness/springs/model/scene.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/study.hpp"
-#include "tests/springs/support/device.hpp"
 #include "tests/springs/support/scenes.hpp"
 
 namespace pelage::springs {
@@ -38,11 +37,11 @@ double metric(const Row& row, const std::string& name) {
 }
 
 TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
-  const SpringNetwork topology = build(Kind::sticks, sphere(1), fur_length);
-  const Motions exact = exact_second(topology, windy(default_solver), 1e-4f);
+  const SpringNetwork network = build(Kind::sticks, sphere(1), fur_length);
+  const Motions exact = exact_second(network, windy(default_solver), 1e-4f);
   const cl::Device device = queue().device();
   const double limit = 0.01;
-  const auto turns = solver_turns(device, {topology, windy(default_solver), {}, 0}, exact, limit);
+  const auto turns = solver_turns(device, {network, windy(default_solver), {}, 0}, exact, limit);
   const Row row = row_of(*turns, 6);
   for (const Solver& solver : solvers) {
     const std::string name(solver.name);
@@ -59,7 +58,7 @@ TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
     d.step = 1.0f / float(60 * (steps - 1));
     Row coarse;
     try {
-      const auto error = solver_error(device, {topology, d, {}, 0}, exact);
+      const auto error = solver_error(device, {network, d, {}, 0}, exact);
       error->frame();
       error->check({});
       error->describe(coarse);
@@ -72,25 +71,24 @@ TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
 }
 
 TEST(EqualError, NamesASolverThatMissesTheLimit) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
-  const Motions exact = exact_second(topology, windy(default_solver), 1e-4f);
-  const auto turns = solver_turns(queue().device(), {topology, windy(default_solver), {}, 0}, exact, 3e-5);
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
+  const Motions exact = exact_second(network, windy(default_solver), 1e-4f);
+  const auto turns = solver_turns(queue().device(), {network, windy(default_solver), {}, 0}, exact, 3e-5);
   const Row row = row_of(*turns, 6);
   EXPECT_GT(metric(row, "explicit-euler_unreached_rms"), 3e-5);
   EXPECT_FALSE(row.metrics.contains("explicit-euler_steps_per_frame"));
   EXPECT_LE(metric(row, "rk4_error_rms"), 3e-5);
-  EXPECT_THROW(solver_turns(queue().device(), {topology, windy(default_solver), {}, 0}, exact, 0),
-               InputError);
+  EXPECT_THROW(solver_turns(queue().device(), {network, windy(default_solver), {}, 0}, exact, 0), InputError);
 }
 
 TEST(Drift, IsTheErrorOfTheSolver) {
-  const SpringNetwork topology = build(Kind::sticks, sphere(0), fur_length);
+  const SpringNetwork network = build(Kind::sticks, sphere(0), fur_length);
   const auto drift = [&](const Solver& solver, float step) {
     Dynamics d;
     d.solver = solver;
     d.step = step;
     d.drag = d.damping = d.edge_damping = d.return_weight = 0;
-    const auto study = solver_energy(queue().device(), {topology, d, {}, 0}, true);
+    const auto study = solver_energy(queue().device(), {network, d, {}, 0}, true);
     const Row row = row_of(*study, 1);
     EXPECT_GE(metric(row, "drift_most"), std::abs(metric(row, "drift")));
     return metric(row, "drift");
@@ -108,17 +106,17 @@ TEST(Drift, IsTheErrorOfTheSolver) {
 }
 
 TEST(Drift, NeedsAConservativeScene) {
-  const SpringNetwork topology = build(Kind::sticks, sphere(0), fur_length);
-  EXPECT_THROW(solver_energy(queue().device(), {topology, Dynamics{}, {}, 0}, true), InputError);
-  EXPECT_NO_THROW(solver_energy(queue().device(), {topology, Dynamics{}, {}, 0}, false));
+  const SpringNetwork network = build(Kind::sticks, sphere(0), fur_length);
+  EXPECT_THROW(solver_energy(queue().device(), {network, Dynamics{}, {}, 0}, true), InputError);
+  EXPECT_NO_THROW(solver_energy(queue().device(), {network, Dynamics{}, {}, 0}, false));
 }
 
 TEST(JacobianStudy, TheFullJacobianHasTheSmallerError) {
-  const SpringNetwork topology = build(Kind::prisms, sphere(1), fur_length);
+  const SpringNetwork network = build(Kind::prisms, sphere(1), fur_length);
   Dynamics d = windy(default_solver);
-  const Motions exact = exact_second(topology, d, 1e-4f);
+  const Motions exact = exact_second(network, d, 1e-4f);
   d.step = 1.0f / 60;
-  const Row row = row_of(*solver_jacobian(queue().device(), {topology, d, {}, 0}, exact), 1);
+  const Row row = row_of(*solver_jacobian(queue().device(), {network, d, {}, 0}, exact), 1);
   EXPECT_GT(metric(row, "pruned_error_rms"), 0);
   EXPECT_NE(metric(row, "pruned_error_rms"), metric(row, "full_error_rms"));
   EXPECT_LT(metric(row, "full_error_rms"), 0.1);
@@ -148,17 +146,17 @@ TEST(AreaScaling, MultipliesTheConstantsOfAStick) {
 
 // Simulates two seconds with the reference. Returns the greatest length of a stick after any step, in rest
 // lengths.
-double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, double step) {
+double longest_by_the_reference(const SpringNetwork& network, Dynamics d, double step) {
   d.step = float(step);
-  reference::State state = reference::rest(topology);
+  reference::State state = reference::rest(network);
   double most = 0;
   const long steps = std::lround(limit_seconds / step);
   for (long i = 0; i < steps; ++i) {
-    state = reference::step({topology, d}, state, i);
-    for (const glm::dvec3& q : reference::offsets(topology, state)) most = std::max(most, glm::length(q));
+    state = reference::step({network, d}, state, i);
+    for (const glm::dvec3& q : reference::offsets(network, state)) most = std::max(most, glm::length(q));
     if (!(most < 1)) return 1e9;  // diverged
   }
-  return most / double(topology.length);
+  return most / double(network.length);
 }
 
 // The result must not depend on how often the host reads the outcome of the device's comparison. An older
@@ -167,20 +165,20 @@ double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, doubl
 TEST(LongestStep, DoesNotDependOnTheInterval) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind& kind : {Kind::sticks, Kind::prisms, Kind::separable_prisms}) {
-    const SpringNetwork topology = build(kind, *mesh, fur_length);
+    const SpringNetwork network = build(kind, *mesh, fur_length);
     const Dynamics d = windy(Solver::backward_euler);
-    const Limit usual = longest_step(queue(), topology, d),
-                half = longest_step(queue(), topology, d, 1.0 / 120),
-                twice = longest_step(queue(), topology, d, 1.0 / 30),
-                late = longest_step(queue(), topology, d, 1);
+    const Limit usual = longest_step(queue(), network, d),
+                half = longest_step(queue(), network, d, 1.0 / 120),
+                twice = longest_step(queue(), network, d, 1.0 / 30),
+                late = longest_step(queue(), network, d, 1);
     for (const Limit& other : {half, twice, late}) EXPECT_NEAR(other.step / usual.step, 1, 0.03) << kind;
     std::printf(
         "%s: %.2f ms; with half the interval %.2f ms, with twice the interval %.2f ms, with 1 s %.2f ms\n",
         kind.name.data(), 1e3 * usual.step, 1e3 * half.step, 1e3 * twice.step, 1e3 * late.step);
     std::printf("%s: %.1f ms, longest stick %.2f, by the reference %.2f and with a 3%% longer step %.2f\n",
                 kind.name.data(), 1e3 * usual.step, usual.longest,
-                longest_by_the_reference(topology, d, usual.step),
-                longest_by_the_reference(topology, d, 1.03 * usual.step));
+                longest_by_the_reference(network, d, usual.step),
+                longest_by_the_reference(network, d, 1.03 * usual.step));
     // An independent program found a longest step of 138 ms for prisms, and of 75 to 78 ms for the other
     // topologies.
     EXPECT_NEAR(1e3 * usual.step, kind == Kind::prisms ? 138 : 77, kind == Kind::prisms ? 7 : 4) << kind;
@@ -195,22 +193,22 @@ TEST(LongestStep, IsTheOneOfTheReference) {
   const Mesh mesh = sphere(1);
   for (const Kind& kind : {Kind::sticks, Kind::prisms})
     for (const Solver& solver : {Solver::explicit_euler, Solver::backward_euler}) {
-      const SpringNetwork topology = build(kind, mesh, fur_length);
+      const SpringNetwork network = build(kind, mesh, fur_length);
       const Dynamics d = windy(solver);
-      const Limit found = longest_step(queue(), topology, d);
-      EXPECT_LT(longest_by_the_reference(topology, d, 0.97 * found.step), double(most_stick))
+      const Limit found = longest_step(queue(), network, d);
+      EXPECT_LT(longest_by_the_reference(network, d, 0.97 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
       if (found.step == 1) continue;  // longest_step() tries no step above 1 s
-      EXPECT_GT(longest_by_the_reference(topology, d, 1.03 * found.step), double(most_stick))
+      EXPECT_GT(longest_by_the_reference(network, d, 1.03 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
     }
 }
 
 TEST(LongestStep, IsZeroIfNoStepSuffices) {
-  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork network = build(Kind::sticks, square(1), fur_length);
   Dynamics d = windy(Solver::semi_implicit_euler);
   d.wind.speed = 1000;  // this wind stretches every stick to many rest lengths
-  EXPECT_EQ(longest_step(queue(), topology, d).step, 0);
+  EXPECT_EQ(longest_step(queue(), network, d).step, 0);
 }
 
 }  // namespace

@@ -13,9 +13,12 @@
 #include "harness/mesh/mesh.hpp"
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
+#include "tests/support/device.hpp"
 #include "tests/support/texts.hpp"
 
 namespace pelage::springs::test {
+
+using pelage::test::queue;
 
 inline constexpr float fur_length = 0.05f;
 
@@ -51,9 +54,9 @@ inline Dynamics still(Solver solver) {
 using Case = std::tuple<Kind, Solver>;
 
 /// Returns one force in newtons per stick: `force` for the sticks at the corners of triangle `face`, else 0.
-inline std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force) {
-  std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
-  for (int c = 0; c < 3; ++c) push[topology.corner[face][c]] = force;
+inline std::vector<glm::vec3> poke(const SpringNetwork& network, std::size_t face, glm::vec3 force) {
+  std::vector<glm::vec3> push(network.sticks(), glm::vec3(0));
+  for (int c = 0; c < 3; ++c) push[network.corner[face][c]] = force;
   return push;
 }
 

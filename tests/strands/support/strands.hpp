@@ -19,20 +19,11 @@
 #include "harness/strands/opencl/chains.hpp"
 #include "harness/strands/reference/chain.hpp"
 #include "kernels/strands/draw/params.h"
+#include "tests/support/device.hpp"
 
 namespace pelage::strands::test {
 
-/// Returns a queue on the device that $PELAGE_DEVICE selects, or else on the first device.
-inline const cl::Queue& queue() {
-  static const cl::Queue shared(cl::choose_device(""));
-  return shared;
-}
-
-inline double mean_coverage(const Picture& picture) {
-  double sum = 0;
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
-  return sum / double(picture.pixel.size());
-}
+using pelage::test::queue;
 
 /// Returns strands on a unit sphere. The stiffness of the strands varies over two decades, and their rest
 /// directions lean.

@@ -1,8 +1,7 @@
 #pragma once
 #include "harness/cl/program.hpp"
-#include "tests/springs/support/scenes.hpp"
 
-namespace pelage::springs::test {
+namespace pelage::test {
 
 /// Returns a queue on the device that $PELAGE_DEVICE selects, or else on the first device.
 inline const cl::Queue& queue() {
@@ -10,4 +9,4 @@ inline const cl::Queue& queue() {
   return shared;
 }
 
-}  // namespace pelage::springs::test
+}  // namespace pelage::test
