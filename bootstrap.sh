@@ -117,6 +117,11 @@ table1() {
     "$binary" run silva2010-table1 "${preset[@]}" "$@"
     return
   fi
+  if [[ " $* " != *" --"[fms]* ]]; then  # without --filter, --model and --shard
+    say "preparing the meshes side by side; pelage run prepares one at a time"
+    sed -n '/^model = /s/[^a-z0-9-]/\n/gp' "$root/experiments/silva2010-table1.toml" | grep . | tail -n +2 | tac |
+      xargs -r -P "$(nproc)" -n 1 "$binary" mesh >/dev/null || true
+  fi
   say "timing Table 1 into $folder"
   local status=0
   "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?

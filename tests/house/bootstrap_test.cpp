@@ -18,6 +18,7 @@ struct Outcome {
 struct Bootstrap : Checkout {
   void SetUp() override {
     copy_of_repository("bootstrap.sh");
+    copy_of_repository("experiments/silva2010-table1.toml");
     write("checkout/packages.txt", "cmake\n# a comment\nlibexample-dev   # its reason\n");
     write("checkout/build/release/build.ninja", "");
     write("checkout/build/release/CMakeCache.txt",
@@ -86,13 +87,15 @@ TEST_F(Bootstrap, ShowsWhyAnInstallationFailed) {
 TEST_F(Bootstrap, RunsTableOneIntoAFolderOfItsOwnAndReportsIt) {
   const Outcome outcome = run("table1 --device pocl");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  expect_has(outcome.calls, {"pelage run silva2010-table1 --preset quick -o pelage-results/",
+  expect_has(outcome.calls, {"pelage mesh lion\n", "pelage mesh torus\n",
+                             "pelage run silva2010-table1 --preset quick -o pelage-results/",
                              "--device pocl\n", "pelage report pelage-results/"});
   expect_has(outcome.text, "report/index.html");
 }
 
 TEST_F(Bootstrap, LeavesTheUsersOwnChoicesAlone) {
   const Outcome chosen = run("table1 --preset smoke -o mine");
+  expect_lacks(run("table1 --filter torus").calls, "pelage mesh");
   expect_has(chosen.calls,
              {"pelage run silva2010-table1 --preset smoke -o mine\n", "pelage report mine -o mine/report\n"});
   expect_has(run("table1 --resume old").calls, {"pelage run silva2010-table1 --preset quick --resume old\n",
