@@ -24,8 +24,8 @@ TESTS = {
     "record": ["record", "experiment", "measure", "claims", "report", "cli"],
     "claims": ["claims", "report", "cli"],
     "report": ["report", "page", "cli"],
-    "measure": ["measure", "record", "subjects", "cli"],
-    "experiment": ["experiment", "measure", "claims", "cli"],
+    "measure": ["measure", "record", "subjects", "report", "cli"],
+    "experiment": ["experiment", "measure", "claims", "subjects", "report", "cli"],
     "mesh": ["mesh", "prepare", "cli"],
 }
 # Patterns and what replaces them (None: the number plus one). The spaces around operators leave out templates.

@@ -27,13 +27,36 @@
 namespace pelage {
 namespace {
 
-struct MeshCommand {
-  std::string model;
-  std::filesystem::path output, atlas;
+struct SourceOptions {
+  std::string model, up = "y";
   std::optional<std::uint32_t> faces;
-  bool keep_uv = false, even_uv = false;
-  std::string components = "all", up = "y";
   std::vector<float> rotate;
+
+  MeshOptions load() const {
+    MeshOptions options;
+    options.faces = faces;
+    MeshScene turn;
+    turn.up = up;
+    if (!rotate.empty()) turn.rotate = {rotate[0], rotate[1], rotate[2]};
+    options.rotate = rotation_of(turn);
+    options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
+    return options;
+  }
+};
+
+void declare(CLI::App& command, SourceOptions& options) {
+  command
+      .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
+      ->required();
+  command.add_option("--faces", options.faces,
+                     "Simplify or refine the mesh to exactly this number of triangles");
+  add_up_option(command, options.up);
+}
+
+struct MeshCommand : SourceOptions {
+  std::filesystem::path output, atlas;
+  bool keep_uv = false, even_uv = false;
+  std::string components = "all";
 };
 
 void fill(Picture& picture, const Mesh& mesh, const glm::uvec3& t, glm::vec4 colour) {
@@ -134,16 +157,10 @@ void print_mesh(const Mesh& mesh) {
 
 int prepare_mesh(const MeshCommand& command) {
   if (!command.atlas.empty()) check_picture_path(command.atlas);
-  MeshOptions options;
-  options.faces = command.faces;
+  MeshOptions options = command.load();
   options.keep_uv = command.keep_uv;
   options.even_uv = command.even_uv;
   options.largest_only = command.components == "largest";
-  MeshScene turn;
-  turn.up = command.up;
-  if (!command.rotate.empty()) turn.rotate = {command.rotate[0], command.rotate[1], command.rotate[2]};
-  options.rotate = rotation_of(turn);
-  options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   const auto mesh = load_model(command.model, options);
   print_mesh(*mesh);
   for (const std::string& warning : uv_warnings(*mesh)) fmt::print(stderr, "{}: {}\n", mesh->name, warning);
@@ -158,12 +175,8 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<MeshCommand>(
       app, chosen, "mesh", "Prepare a mesh; print its size, its topology and the quality of its UV map",
       prepare_mesh);
-  command
-      .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
-      ->required();
+  declare(command, options);
   command.add_option("-o,--output", options.output, "Write the prepared mesh as PLY with its UV map");
-  command.add_option("--faces", options.faces,
-                     "Simplify or refine the mesh to exactly this number of triangles");
   CLI::Option* keep =
       command.add_flag("--keep-uv", options.keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
@@ -176,7 +189,6 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
                   "Connected components to keep: all that are closed or large, or only the largest")
       ->check(CLI::IsMember({"all", "largest"}))
       ->capture_default_str();
-  add_up_option(command, options.up);
   add_value(command, "--rotate", options.rotate, "X,Y,Z",
             "Rotate the model about x, then y, then z by these angles in degrees, for instance -90,0,0")
       ->delimiter(',')
@@ -187,9 +199,7 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
 
 namespace {
 
-struct TopologyCommand {
-  std::string model, up = "y";
-  std::optional<std::uint32_t> faces;
+struct TopologyCommand : SourceOptions {
   std::string drawing;
   float length = 0.15f;
 };
@@ -240,13 +250,7 @@ void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
 }
 
 int count_springs(const TopologyCommand& command) {
-  MeshOptions options;
-  options.faces = command.faces;
-  MeshScene turn;
-  turn.up = command.up;
-  options.rotate = rotation_of(turn);
-  options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
-  const auto mesh = load_model(command.model, options);
+  const auto mesh = load_model(command.model, command.load());
   if (!command.drawing.empty()) write_drawing(*mesh, command);
   const Topology counts = topology(*mesh);
   const Published published = command.faces ? Published() : published_of(command.model);
@@ -277,12 +281,7 @@ void add_topology(CLI::App& app, Chosen& chosen) {
       app, chosen, "topology",
       "Print the masses, springs and memory of each topology over a model, and draw the topologies",
       count_springs);
-  command
-      .add_option("model", options.model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
-      ->required();
-  command.add_option("--faces", options.faces,
-                     "Simplify or refine the mesh to exactly this number of triangles");
-  add_up_option(command, options.up);
+  declare(command, options);
   add_value(command, "--draw", options.drawing, "PICTURE.svg", "Draw the four topologies into this file");
   command
       .add_option("--length", options.length,

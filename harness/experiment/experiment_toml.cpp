@@ -40,9 +40,8 @@ const std::set<std::string, std::less<>> columns{"case",       "clock",   "conte
 /// Returns a number as it is written in the file (0.10 stays 0.10), and plain() of other values.
 std::string as_written(const toml::node& node, const Source& source) {
   const toml::source_region& at = node.source();
-  if (!node.is_number() || at.begin.line == 0 || at.begin.line != at.end.line) return plain(node);
+  if (!node.is_number()) return plain(node);
   const std::size_t start = source.lines.at(at.begin.line - 1);
-  if (start + at.end.column > source.text.size() + 1) return plain(node);
   const std::string written =
       source.text.substr(start + at.begin.column - 1, at.end.column - at.begin.column);
   // toml++ counts columns in characters, but `text` is indexed in bytes. If a character of several bytes

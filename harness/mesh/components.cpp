@@ -70,7 +70,7 @@ double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order,
   double x = 0, y = 0, shelf = 0, widest = 0;
   for (const std::size_t i : order) {
     const glm::dvec2 size = charts[i].size + glm::dvec2(2 * gap);
-    if (x > 0 && x + size.x > width) y += shelf, x = 0, shelf = 0;
+    if (x + size.x > width) y += shelf, x = 0, shelf = 0;
     charts[i].place = glm::dvec2(x, y) + gap;
     x += size.x;
     shelf = std::max(shelf, size.y), widest = std::max(widest, x);

@@ -53,7 +53,7 @@ Graph make_graph(const Surface& surface) {
   for (const Edge& edge : graph.edge) ++graph.row[edge.a + 1], ++graph.row[edge.b + 1];
   std::partial_sum(graph.row.begin(), graph.row.end(), graph.row.begin());
   graph.at_point.resize(graph.edge.size() * 2);
-  std::vector<std::uint32_t> next(graph.row.begin(), graph.row.end() - 1);
+  std::vector<std::uint32_t> next = graph.row;
   for (std::uint32_t e = 0; e < graph.edge.size(); ++e)
     for (const std::uint32_t p : {graph.edge[e].a, graph.edge[e].b}) graph.at_point[next[p]++] = e;
   return graph;

@@ -9,6 +9,7 @@
 #include "harness/mesh/laplace.hpp"
 #include "harness/mesh/sides.hpp"
 #include "harness/mesh/unfold.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {
@@ -129,6 +130,10 @@ bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vect
   return true;
 }
 
+glm::dvec2 at(const Columns& x, Eigen::Index p) {
+  return {x(p, 0), x(p, 1)};
+}
+
 LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& local) {
   const auto size = Eigen::Index(disk.point.size());
   Triplets entries;
@@ -160,14 +165,13 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
 // Local::weight.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
   Columns b = Columns::Zero(x.rows(), 2);
-  const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };
   for (std::size_t f = 0; f < local.size(); ++f) {
     const auto& t = disk.triangle[f];
     const Local& l = local[f];
     double along = 0, across = 0;
     for (int k = 0; k < 3; ++k) {
       const int n = (k + 1) % 3;
-      const glm::dvec2 d = at(t[std::size_t(k)]) - at(t[std::size_t(n)]), e = l.corner(k) - l.corner(n);
+      const glm::dvec2 d = at(x, t[std::size_t(k)]) - at(x, t[std::size_t(n)]), e = l.corner(k) - l.corner(n);
       along += l.weight[k] * (d.x * e.x + d.y * e.y);
       across += l.weight[k] * (d.x * e.y - d.y * e.x);
     }
@@ -184,12 +188,6 @@ Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, cons
   return b;
 }
 
-double twice_area(const Columns& x, const Surface::Triangle& t) {
-  const double ux = x(t[1], 0) - x(t[0], 0), uy = x(t[1], 1) - x(t[0], 1);
-  const double vx = x(t[2], 0) - x(t[0], 0), vy = x(t[2], 1) - x(t[0], 1);
-  return ux * vy - uy * vx;
-}
-
 // Moves each corner of a flipped face to the mean of its neighbours, unless the corner lies on the border.
 // Stops when the number of flipped faces no longer decreases.
 void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns& x) {
@@ -201,7 +199,8 @@ void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns&
     std::vector<char> move(disk.point.size(), 0);
     std::size_t turned = 0;
     for (const auto& t : disk.triangle)
-      if (!(twice_area(x, t) > 0)) ++turned, move[t[0]] = move[t[1]] = move[t[2]] = 1;
+      if (!(twice_uv_area({at(x, t[0]), at(x, t[1]), at(x, t[2])}) > 0))
+        ++turned, move[t[0]] = move[t[1]] = move[t[2]] = 1;
     if (turned >= before) x = kept;
     if (turned == 0 || turned >= before) break;
     before = turned, kept = x;
@@ -241,7 +240,7 @@ Start start_of(const Surface& surface, const Disk& disk, const std::string& name
 std::vector<glm::dvec2> uv_of(const Columns& x) {
   std::vector<glm::dvec2> uv;
   uv.reserve(std::size_t(x.rows()));
-  for (Eigen::Index i = 0; i < x.rows(); ++i) uv.emplace_back(x(i, 0), x(i, 1));
+  for (Eigen::Index i = 0; i < x.rows(); ++i) uv.push_back(at(x, i));
   return uv;
 }
 
@@ -307,8 +306,8 @@ Surface with_map(const Surface& surface, const CutPlan& plan, const Disk& disk,
   return result;
 }
 
-Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::string& name,
-                     const std::function<void(double)>& part) {
+Surface unfold_file(const Surface& surface, const CutPlan& plan, const std::string& name,
+                    const std::function<void(double)>& part) {
   const Disk disk = cut_open(surface, plan);
   need_cut(surface, disk, name);
   const FlatDisk flat = flatten(surface, disk, name, part);

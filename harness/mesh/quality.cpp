@@ -40,7 +40,8 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
       for (int k = 0; k < 3; ++k) p[k] = glm::dvec2(mesh.uv[t[k]]) * double(side) - 0.5;
       if (twice_map_area(mesh, t) < 0) std::swap(p[1], p[2]);
       const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
-      for (int y = std::max(begin, int(std::ceil(low))); y < end && y < high; ++y) {
+      const int last = std::min(end, int(std::ceil(high)));
+      for (int y = std::max(begin, int(std::ceil(low))); y < last; ++y) {
         double left = HUGE_VAL, right = -HUGE_VAL;
         for (int k = 0; k < 3; ++k) {
           // The intersection of edge and texel row is computed from the edge's lower end, so that both faces
@@ -149,16 +150,16 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
 
 UvQuality uv_quality(const Mesh& mesh, int side) {
   UvQuality quality;
-  double uv_area = 0, flipped = 0, surface_area = 0;
+  double uv_area = 0, flipped = 0, surface_area = 0;  // all doubled
   // For each face, the ratio of its UV area to its surface area, followed by its surface area.
   std::vector<std::pair<double, double>> ratio;
   for (const glm::uvec3& t : mesh.triangle) {
     const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
-    const double twice = twice_map_area(mesh, t), surface = glm::length(glm::cross(b - a, c - a)) / 2;
-    uv_area += std::abs(twice) / 2;
-    if (twice < 0) flipped -= twice / 2, ++quality.flipped_faces;
+    const double twice = twice_map_area(mesh, t), surface = glm::length(glm::cross(b - a, c - a));
+    uv_area += std::abs(twice);
+    if (twice < 0) flipped -= twice, ++quality.flipped_faces;
     surface_area += surface;
-    if (surface > 0) ratio.emplace_back(std::abs(twice) / 2 / surface, surface);
+    if (surface > 0) ratio.emplace_back(std::abs(twice) / surface, surface);
   }
   quality.flipped = uv_area > 0 ? flipped / uv_area : 0;
   std::sort(ratio.begin(), ratio.end());

@@ -283,7 +283,7 @@ bool recut(Surface& surface, bool even, const std::string& name) {
   for (const Faces& faces : pieces.piece) flattener.add(faces, even, charts);
   std::vector<char> kept(surface.triangle.size(), 0);
   for (const Faces& faces : pieces.rest)
-    for (const std::uint32_t f : faces) kept[f] = 1;
+    for (const std::uint32_t f : faces) kept[f] = true;
   if (!place(surface, kept, charts)) {
     surface.notes.push_back(fmt::format(
         "UV map: {} parts would need charts of their own, but the UV square has no space for them",

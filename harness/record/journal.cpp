@@ -165,9 +165,7 @@ void Journal::write_all(const std::string& text) {
     const ssize_t count = calls_.write(descriptor_, text.data() + done, text.size() - done);
     if (count > 0) {
       done += std::size_t(count);
-    } else if (count < 0 && errno == EINTR) {
-      continue;
-    } else {
+    } else if (count == 0 || errno != EINTR) {
       const int code = count < 0 ? errno : ENOSPC;
       broken_ = true;
       if (calls_.ftruncate(descriptor_, good_length_) == 0) calls_.fdatasync(descriptor_);

@@ -90,7 +90,7 @@ std::vector<Gap> gaps_of(const Shards& shards, int count) {
     if (gap.failed > 0 || gap.done < gap.expected.value_or(0)) gaps.push_back(gap);
   }
   if (gaps.empty() && done.size() < all * repeats)
-    gaps.push_back({0, count, true, done.size(), 0, all * repeats});
+    gaps.push_back({.count = count, .whole_run = true, .done = done.size(), .expected = all * repeats});
   return gaps;
 }
 

@@ -151,7 +151,7 @@ std::vector<InputSet> input_sets(const std::vector<FoundRow>& rows) {
       sets[i].rows.push_back(*found);
       identities[i].add(*found);
       const Identity* first = identities.front().of(*found);
-      if (i == 0 || !first) continue;
+      if (!first) continue;
       if (found->row.identity.empty() || first->empty())
         differing[i].insert("identity incomplete");
       else

@@ -36,7 +36,7 @@ std::string place_of(const Cell& cell) {
 std::string missing_text(const Gap& gap) {
   if (!gap.expected || *gap.expected < gap.done + gap.failed) return text_of(gap);
   std::string text = fmt::format("{} of {}", *gap.expected - gap.done - gap.failed, *gap.expected);
-  if (gap.count > 1) text += fmt::format(" in shard {}/{}", gap.index, gap.count);
+  if (gap.count > 1 && !gap.whole_run) text += fmt::format(" in shard {}/{}", gap.index, gap.count);
   if (gap.whole_run) text += " in the whole run";
   if (gap.failed > 0) text += fmt::format("; {} more ended with an error", gap.failed);
   return text;

@@ -35,7 +35,7 @@ std::vector<Cell> scaling_cells(const std::vector<Cell>& cells) {
   std::map<std::string, bool> chosen;  // experiment -> whether its report.program is "scaling"
   std::map<std::string, std::vector<Cell>> by_changes;
   for (const Cell& c : cells) {
-    const auto [place, added] = chosen.emplace(c.experiment, false);
+    const auto [place, added] = chosen.try_emplace(c.experiment);
     if (added) place->second = view_of({c}).program == "scaling";
     if (place->second && c.median_ms > 0 && metric(c, "triangles") > 0 && layers_of(c) > 0 &&
         size_of(c)[1] > 0)

@@ -105,17 +105,17 @@ Value positive(double value) {
   return number_value(value > 0 ? std::optional(value) : std::nullopt);
 }
 
-/// Returns the line of the baseline `rival`, to which the row has the ratio `ratio`.
-std::vector<Value> solver_line(const Row& row, const std::string& rival, const Metric& ratio) {
-  const auto theirs = row.samples.find(rival);
-  const auto shared = row.metrics.find(rival + std::string(processor_mark));
+/// Returns the line of the baseline `baseline`, to which the row has the ratio `ratio`.
+std::vector<Value> solver_line(const Row& row, const std::string& baseline, const Metric& ratio) {
+  const auto theirs = row.samples.find(baseline);
+  const auto shared = row.metrics.find(baseline + std::string(processor_mark));
   return {text_value(row.device),
           text_value(value_at(row.axes, "model")),
           text_value(value_at(row.axes, axis)),
           text_value(row.variant),
           text_value(value_at(row.axes, "dynamics.substeps")),
           positive(median(frame_ms(row))),
-          text_value(rival),
+          text_value(baseline),
           positive(theirs == row.samples.end() ? 0 : median(theirs->second.wall_ms)),
           positive(ratio.value),
           positive(ratio.low.value_or(ratio.value)),

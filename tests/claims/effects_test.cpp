@@ -90,13 +90,13 @@ TEST(Effects, LinearityComparesTwoSlopes) {
   const std::string effect = "name = \"linearity\", axis = \"layers\"";
   const auto rows = [](double upper) {
     return std::vector<FoundRow>{row({{"layers", "64"}}, 26 + upper), row({{"layers", "16"}}, 10),
-                                 row({{"layers", "32"}}, 26)};
+                                 row({{"layers", "32"}}, 26), row({{"layers", "24"}}, 18)};
   };
   EXPECT_NEAR(effect_of(rows(32), effect), 1, rounding);
   EXPECT_NEAR(effect_of(rows(48), effect), 1.5, rounding);
   const Judged two = judged(layers_and_models(), effect, any);
   EXPECT_EQ(two.verdict, Verdict::untestable) << "two values give no slopes to compare";
-  EXPECT_EQ(judged(rows(32), effect + ", values = 4", any).verdict, Verdict::untestable);
+  EXPECT_EQ(judged(rows(32), effect + ", values = 5", any).verdict, Verdict::untestable);
 }
 
 // The ratio of the times at the two sizes is 40 * triangles^-0.5, so its log-log slope must be -0.5.
@@ -118,10 +118,16 @@ TEST(Effects, RatioTrendIsTheSlopeOfTheRatio) {
 }
 
 TEST(Effects, ShareOfCasesCountsThoseAboveTheThreshold) {
-  const Judged share = judged(layers_and_models(),
-                              "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 30", any);
+  std::vector<FoundRow> rows = layers_and_models();
+  rows[3].row.metrics["paper_fps"] = {40, "fps", "<", {}, 40.0};
+  const Judged share =
+      judged(rows, "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 30", any);
   EXPECT_NEAR(share.value.value(), 0.75, rounding) << "100, 33, 50 and 25 frames per second";
   EXPECT_EQ(share.effects, 4u);
+  EXPECT_EQ(share.paper_value, 0.0) << "half of the bound counts, 20 frames per second";
+  rows[3].row.metrics["paper_fps"] = {1, "fps", "<", {}, 1.0};
+  const std::string low = "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 0.7";
+  EXPECT_EQ(judged(rows, low, any).paper_interval.low, 0) << "the draws begin at 0";
 }
 
 TEST(Effects, MetricsMayBeDividedByAnother) {

@@ -34,6 +34,7 @@ TEST(Judge, NamesTheCasesThatAreLeftOut) {
   std::vector<FoundRow> rows = layers_and_models(10, 30);
   rows[3].row.status = Status::failed_check;
   rows[3].row.reason = "psnr 40";
+  rows.push_back(rows[3]);  // of a second process
   const Judged one = judged(rows, ratio, "{ at_most = 4 }");
   EXPECT_EQ(one.verdict, Verdict::holds);
   ASSERT_EQ(one.notes.size(), 1u);
@@ -43,6 +44,15 @@ TEST(Judge, NamesTheCasesThatAreLeftOut) {
   EXPECT_EQ(two.verdict, Verdict::untestable);
   EXPECT_EQ(two.reason, "1 of the 2 effects that decide the claim are measured");
   EXPECT_FALSE(two.value.has_value());
+  std::vector<FoundRow> twice = two_rows();
+  twice.push_back(twice[1]);
+  twice.back().row.case_name = "again";
+  EXPECT_EQ(judged(twice, ratio, "{ at_most = 4 }").notes.at(0),
+            "1 left out: 16-a (several cases differ only in their names, so the claim cannot select one)");
+  const std::vector<FoundRow> zero = {row({{"layers", "0"}}, 5), row({{"layers", "16"}}, 10),
+                                      row({{"layers", "64"}}, 30)};
+  EXPECT_EQ(judged(zero, "name = \"elasticity\", axis = \"layers\"", "{ at_least = 0 }").notes.at(0),
+            "1 left out: 0 (its layers is not a number above 0)");
 }
 
 TEST(Judge, SaysWhyAClaimIsUntestable) {
@@ -59,7 +69,8 @@ TEST(Judge, SaysWhyAClaimIsUntestable) {
             "0 of the 1 effects that decide the claim are measured; no row has the axis values of the claim");
   EXPECT_EQ(reason(two_rows(), claim_text(ratio, "{ at_most = 4 }") + "hardware = \"GeForce\"\n"),
             "the claim is about the paper's hardware (GeForce)");
-  EXPECT_EQ(reason(two_rows(0), claim_text("name = \"elasticity\", axis = \"layers\"", "\"decreasing\"")),
+  EXPECT_EQ(reason({two_rows()[0], two_rows()[1], two_rows(0)[1]},
+                   claim_text("name = \"elasticity\", axis = \"layers\"", "\"decreasing\"")),
             "the effect is not a finite number, because a quantity is 0, negative or not finite");
 }
 
@@ -143,7 +154,7 @@ TEST(Judge, PhasesInTurnsShareTheirProcess) {
 
 TEST(Judge, CountsAreExactAndMeasuredMetricsAreNot) {
   FoundRow one = row({{"model", "a"}}, 30);
-  one.row.metrics["masses"] = {100, "masses"};
+  one.row.metrics["masses"] = {100, "masses", "=", 99.0, 101.0};  // limits of rounding, no 95% interval
   one.row.metrics["wet_ms"] = {100, "ms"};
   const auto level = [&](const std::string& metric) {
     return judged({one}, "name = \"level\", quantity = \"metric\", metric = \"" + metric + "\"",

@@ -151,7 +151,10 @@ TEST_F(Results, AxesAreLimitedAndChecked) {
       {"--order-seed -1", "the seed -1 is negative"},
       {"--axis dynamics.wind.seed=$(seq -s, 1 1000) --axis wetness.seed=$(seq -s, 1 1000)",
        "2000000 combinations of values; the limit is 100000 cases"},
-      {"--model $(printf '%0240d' 0).obj", "the limit is 200"}};
+      {"--axis fur.seed=$(seq -s, 1 1000) --axis wetness.seed=$(seq -s, 1 50)",
+       "each of the 100000 cases records the values"},
+      {"--model $(printf '%0240d' 0).obj",
+       "case 0000000000000000000000000000000000000000... has 250 characters; the limit is 200"}};
   for (const auto& [options, message] : refused)
     expect_refused(pelage(std::string("run own.toml --dry-run ") + options), message);
 }

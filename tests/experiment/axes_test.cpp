@@ -31,6 +31,8 @@ struct Axes : test::InFolder {
 TEST_F(Axes, ANamedValueSetsSeveralKeys) {
   const Experiment e = read(moods + storm + quick);
   const auto cases = cases_of(e, preset_of(e, "quick"));
+  EXPECT_EQ(preset_of(e, "quick").limits.limit_s, 20);
+  EXPECT_EQ(preset_of(e, "quick").limits.most, 200);
   ASSERT_EQ(cases.size(), 4u);
   EXPECT_EQ(cases[0].name, "torus-8-calm");
   EXPECT_EQ(cases[3].name, "torus-16-storm");
@@ -72,6 +74,8 @@ TEST_F(Axes, EveryCaseHasAName) {
   const auto cases = cases_of(e, preset_of(e, "quick"));
   EXPECT_EQ(cases[0].name, "e");
   EXPECT_EQ(cases[1].name, "b");
+  EXPECT_EQ(cases_of(e, preset_of(e, "quick"), {.model = std::string(198, 'm') + ".obj"})[1].name.size(),
+            200u);
 }
 
 TEST_F(Axes, MisspelledTablesAreRefusedWithTheirLine) {
@@ -91,10 +95,13 @@ TEST_F(Axes, ATableMustNotContradictAnAxis) {
   refuses(moods + storm + quick, "--set fur.layers: the axis layers of e varies this key",
           {.set = {{"fur.layers", "4"}}});
   // The command line may set the number of layers to 6, although the table [mood.storm] sets it to 4.
-  const Experiment e =
-      read("name = \"e\"\n[axes]\nmood = [\"storm\"]\n[mood.storm]\nfur.layers = 4\n" + quick);
+  const Experiment e = read(
+      "name = \"e\"\n[axes]\nmodel = [\"own\"]\nmood = [\"storm\"]\n[model.own]\nmodel = \"m.obj\"\n"
+      "[mood.storm]\nfur.layers = 4\n" +
+      quick);
   const auto cases = cases_of(e, preset_of(e, "quick"), {.axes = {{"layers", {"6"}}}});
   EXPECT_EQ(scene_of(e, cases.front()).fur.layers, 6);
+  EXPECT_TRUE(scene_of(e, cases.front()).model.ends_with("/m.obj"));
 }
 
 TEST_F(Axes, NumbersPrintAsTheyAreWritten) {

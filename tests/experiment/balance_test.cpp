@@ -38,10 +38,10 @@ TEST(Deal, ALongCaseDoesNotShareItsShardWithOthers) {
   EXPECT_EQ(loads_of(times, shards, 2), (std::vector<double>{13, 13}));
 }
 
-// The case without a time counts as 2 s, the mean of the times of the other cases. deal() assigns the cases
-// in the order 4 s, 2 s, 1 s, 1 s.
+// The case without a time counts as 4 s, the mean of the times of the other cases. deal() assigns the cases
+// in the order 6 s, 4 s, 4 s, 2 s.
 TEST(Deal, ACaseWithoutATimeCountsAsTheMeanOfTheOthers) {
-  EXPECT_EQ(deal({1.0, std::nullopt, 4.0, 1.0}, 2), (std::vector<int>{1, 1, 0, 1}));
+  EXPECT_EQ(deal({2.0, std::nullopt, 6.0, 4.0}, 3), (std::vector<int>{1, 1, 0, 2}));
 }
 
 TEST(Deal, EqualTimesAreDealtInTurn) {
@@ -84,6 +84,7 @@ TEST(CaseSeconds, AddsPreparationSamplingAndChecks) {
 TEST(CaseSeconds, IsAveragedOverTheRowsOfACase) {
   std::vector<FoundRow> rows{
       {row_of("a", 1, 1, 0), "j"}, {row_of("a", 2, 2, 0), "j"}, {row_of("b", 9, 0, 0), "j"}};
+  rows[2].row.first_launch_ms = 500;  // sampling_s, which is 0, counts in its place
   rows.push_back({row_of("a", 100, 0, 0), "j"});
   rows.back().row.experiment = "another";
   std::vector<Case> cases(3);

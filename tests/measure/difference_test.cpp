@@ -45,6 +45,7 @@ TEST(Difference, IsThePairedTestForProcessesThatTakeTurns) {
   const Difference d = difference_of(timings_of(first, 0, 2), timings_of(second, 1, 2));
   EXPECT_TRUE(d.paired);
   EXPECT_EQ(d.degrees, 9);
+  EXPECT_TRUE(difference_of(timings_of({1, 2, 3}, 0, 2), timings_of({2, 4, 5}, 1, 2)).paired);
   EXPECT_NEAR(p_of(d), 0.002833, 5e-7);
   Timings swapped = timings_of(second, 1, 2);
   swapped.started_s[3] -= 1.5;  // now `second` starts before `first` in the fourth pair
@@ -54,11 +55,11 @@ TEST(Difference, IsThePairedTestForProcessesThatTakeTurns) {
 }
 
 TEST(Difference, AssumesASpreadWithFewProcesses) {
-  const Timings one{{{10, 10, 10, 10, 10, 10, 10, 10}}}, other{{{11, 11, 11, 11, 11, 11, 11, 11}}};
+  const Timings one{{{9, 10, 10, 10, 10, 11}}}, other{{{11, 11, 11, 11, 11, 11, 11, 11}}};
   const Difference d = difference_of(one, other);
   EXPECT_TRUE(d.assumed);
   EXPECT_NEAR(d.log_ratio, std::log(1.1), 1e-12);
-  EXPECT_NEAR(d.error, std::sqrt(2.0) * assumed_spread, 1e-12);
+  EXPECT_NEAR(d.error, std::hypot(std::sqrt(2.0) * assumed_spread, 0.2 / 3.92), 1e-12);
   EXPECT_TRUE(std::isinf(d.degrees));
   const Difference mixed = difference_of(one, timings_of({2.30, 2.31, 2.29, 2.30}, 0, 1));
   EXPECT_TRUE(mixed.assumed);
@@ -132,6 +133,7 @@ TEST(Decide, FindsTheDetectableChangeWithThePromisedPower) {
   const Difference typical{0, 0.02 * std::sqrt(2.0 / 8), 14, false, false};
   const double change = detectable_change(typical, 1, 0.02, 0.05);
   EXPECT_GT(change, 0.02);
+  EXPECT_GT(detectable_change(typical, 2, 0.02, 0.05), change);
   const int above = rates_of(change, 0.02, 0.05).above;
   EXPECT_GT(above, 3480);  // 3600 decisions are expected
   EXPECT_LT(above, 3720);

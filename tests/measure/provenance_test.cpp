@@ -25,7 +25,9 @@ TEST(Provenance, NamesTheHostAndItsSystem) {
   EXPECT_EQ(json.at("os"),
             printed("test ! -e /etc/os-release || . /etc/os-release; printf %s \"$PRETTY_NAME\""));
   EXPECT_EQ(json.at("os_kernel").get<std::string>() + "\n", printed("uname -sr"));
+  EXPECT_EQ(json.at("cpu"), printed("sed -n '/^model name/{s/^[^:]*: //p;q}' /proc/cpuinfo | tr -d '\\n'"));
   EXPECT_EQ(json.at("argv").at(2), "a/b.toml");
+  EXPECT_EQ(cpu_mhz() > 0, !printed("grep '^cpu MHz' /proc/cpuinfo").empty());
   EXPECT_EQ(utc_stamp().substr(0, 8), printed("date -u +%Y%m%d").substr(0, 8));
 }
 

@@ -43,6 +43,8 @@ TEST(Finish, turns_a_surface_and_fits_it_into_the_unit_sphere) {
   }
   EXPECT_NEAR(right, 1, 1e-6);
   EXPECT_NEAR(left, -1, 1e-6);
+  EXPECT_NEAR(mesh.length_per_uv.x, 1 / (1 - 4.0 / 256),
+              1e-6);  // the map fills the square but for its margin
 }
 
 // A pyramid with the base 2 x 1 and the height 3 along z. Its extents along the three axes differ.

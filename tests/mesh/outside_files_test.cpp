@@ -32,14 +32,14 @@ std::string refusal_of(const std::string& file) {
 struct OutsideFiles : test::InFolder {};
 
 TEST_F(OutsideFiles, AreThoseThatTheGltfFileNames) {
-  folder.write("a b.bin", buffer(1));
-  EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20b.bi%6E"))),
-            std::vector<fs::path>{folder.path / "a b.bin"});
+  folder.write("a bed.bin", buffer(1));
+  EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf_with("a%20bed.bi%6E"))),
+            std::vector<fs::path>{folder.path / "a bed.bin"});
   EXPECT_TRUE(
       detail::gltf_files(folder.write("b.gltf", gltf_with("data:application/octet-stream;base64,AAAA")))
           .empty());
   EXPECT_TRUE(detail::gltf_files(folder.write("c.gltf", "no JSON")).empty());
-  const std::string json = gltf_with("a%20b.bin");
+  const std::string json = gltf_with("a%20bed.bin");
   std::string binary = "glTF" + std::string("\2\0\0\0\0\0\0\0", 8);
   const auto length = std::uint32_t(json.size());
   binary.append(reinterpret_cast<const char*>(&length), 4).append("JSON").append(json);

@@ -161,7 +161,8 @@ TEST(FreeSpace, GivesPlacesApartFromTheRest) {
   FreeSpace space;
   const glm::dvec2 low(0.1, 0.1), right(0.9, 0.1), high(0.1, 0.9);
   space.take({low, right, high});  // takes its whole bounding box, because triangles are small
-  EXPECT_FALSE(space.place({0.2, 0.2}).has_value());
+  for (const glm::dvec2 large : {glm::dvec2(0.2, 0.2), {0.09, 0.3}, {0.3, 0.09}})
+    EXPECT_FALSE(space.place(large).has_value());
   const auto first = space.place({0.05, 0.3}), second = space.place({0.05, 0.3});
   ASSERT_TRUE(first && second);
   EXPECT_TRUE(first->x > 0.9 || first->y > 0.9 || first->x + 0.05 < 0.1);

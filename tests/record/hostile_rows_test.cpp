@@ -46,7 +46,7 @@ TEST(HostileRows, AnUnchangedRowIsAccepted) {
 TEST(HostileRows, DeepNestingIsRefused) {
   const auto nested = [](std::size_t depth) {
     return line_of(changed_text([](Json& row) { row.erase("provenance"); }) +
-                   ",\"provenance\":{\"x\":" + std::string(depth, '[') + std::string(depth, ']') + "}");
+                   ",\"provenance\":{\"cpus\":" + std::string(depth, '[') + std::string(depth, ']') + "}");
   };
   EXPECT_EQ(refusal_of_line(nested(10)), "accepted");
   EXPECT_EQ(refusal_of_line(nested(100)), "the row contains values that are nested more than 32 deep");
@@ -62,6 +62,8 @@ TEST(HostileRows, NumbersOutOfRangeAreRefused) {
                      row["tuning"] = {{"TILE_W", 1e300}};
                    })),
                    "whole number");
+  test::expect_has(refusal_of_line(changed([](Json& row) { row["samples"]["frame"]["wall_ms"][1] = -1; })),
+                   "one of the wall times of the phase frame is -1 ms");
 }
 
 // Commands read the keys below without checking the types of their values, so the parser of rows must check

@@ -27,7 +27,8 @@ struct JournalFile : InFolder {
 };
 
 TEST(RowLine, ComesBackAsItWent) {
-  const Row row = sample_row("a");
+  Row row = sample_row("a");
+  row.axes["curl.radius"] = ".05";  // a number, but not one of JSON
   const std::string line = to_line(row);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   const Row back = row_from_line(line);
@@ -61,6 +62,7 @@ TEST(RowLine, AnyChangedByteIsNoticed) {
     changed[i] = char(changed[i] ^ 1);
     EXPECT_NE(refusal([&] { row_from_line(changed); }), "accepted") << i;
   }
+  EXPECT_NE(refusal([&] { row_from_line(line + "\"}"); }), "accepted");
 }
 
 TEST(RowLine, OnlyOkRowsHaveATime) {
@@ -259,6 +261,7 @@ TEST_F(JournalFile, ARealLimitOnTheFile) {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{first.size() + 100, first.size() + 100};
     setrlimit(RLIMIT_FSIZE, &limit);
+    close(STDIN_FILENO);  // the journal gets the descriptor 0
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
     _exit(refusal([&] { journal.append(sample_row("b")); }) == "accepted" ? 1 : 0);
@@ -273,6 +276,7 @@ TEST_F(JournalFile, APlaceThatCannotBeWritten) {
   folder.write("file", "x");
   EXPECT_NE(refusal([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }), "accepted");
   EXPECT_NE(refusal([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }), "accepted");
+  expect_has(refusal([&] { sync(folder.path / "absent"); }), "absent: cannot be synced");
 }
 
 }  // namespace

@@ -14,8 +14,10 @@ namespace {
 
 using namespace test;
 
-const Identity kInputs{
-    {"scene", "1111111111111111"}, {"device", "2222222222222222"}, {"kernel a.cl", "3333333333333333"}};
+const Identity kInputs{{"scene", "1111111111111111"},       {"device", "2222222222222222"},
+                       {"kernel a.cl", "3333333333333333"}, {"sampling", "4444444444444444"},
+                       {build_part, "5555555555555555"},    {shader_part, "6666666666666666"},
+                       {renderer_part, "7777777777777777"}};
 
 Row row_of(const std::string& name, const std::string& run = "run1") {
   Row row = test::sample_row(name);
@@ -117,15 +119,6 @@ TEST_F(Merging, TwoMeasurementsOfACaseAreRefused) {
   expect_has(refusal_of({"a", "b"}), "measured in different runs (run1 and run2)");
 }
 
-TEST_F(Merging, AChangedRowIsRefused) {
-  Row changed = row_of("a");
-  changed.samples["frame"].wall_ms.front() /= 2;
-  write_two({row_of("a")}, {changed});
-  expect_has(refusal_of({"a", "b"}), "One of the files was changed");
-}
-
-// Two shards of one run have no case in common, so the merge cannot compare rows of the same case. It must
-// compare the properties that are equal for all cases of a run, for example the device.
 TEST_F(Merging, ShardsOfDifferentRunsAreRefusedAndNamed) {
   const auto refusal_with = [this](const std::function<void(Row&)>& change) {
     Row other = row_of("b", "run2");
@@ -137,7 +130,7 @@ TEST_F(Merging, ShardsOfDifferentRunsAreRefusedAndNamed) {
   EXPECT_EQ(refusal_with([](Row&) {}), "accepted");
   EXPECT_EQ(refusal_with([](Row& row) { row.identity["scene"] = "9999999999999999"; }), "accepted");
   EXPECT_EQ(refusal_with([](Row& row) { row.identity["kernel b.cl"] = "9999999999999999"; }), "accepted");
-  for (const char* part : {"device", "kernel a.cl"}) {
+  for (const char* part : {"device", "kernel a.cl", "sampling", build_part, shader_part, renderer_part}) {
     expect_has(refusal_with([&](Row& row) { row.identity[part] = "9999999999999999"; }),
                std::string("are not of one run: ") + part + " was ");
   }

@@ -69,8 +69,8 @@ TEST(Shards, AJournalWithoutRowsHasAGap) {
   FakeRun run;
   run.add(0, {0, 3});
   run.add(1, {1, 4});
-  run.add(2, {});
-  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 2/3: no rows"}));
+  run.add(2, {}, "node2");
+  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1+node2 shard 2/3: no rows"}));
 }
 
 // If a run has more shards than cases, some shards have no case.
@@ -84,6 +84,8 @@ TEST(Shards, AShardWithoutCasesHasNoGap) {
     found.row.provenance["all_cases"] = 2;
   }
   EXPECT_EQ(run.gaps(), Texts{});
+  for (FoundRow& found : run.rows) found.row.provenance["all_cases"] = 3;
+  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 2/3: no rows"}));
 }
 
 TEST(Shards, ShardsOfSeveralHostsAreOneRunUnlessAHostHasAll) {
@@ -105,6 +107,8 @@ TEST(Shards, RowsOfOlderVersionsTellOnlyWhichShardsExist) {
   FakeRun run;
   run.add(0, {0}, "node1", false);
   run.add(2, {2}, "node1", false);
+  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 1/3: no rows"}));
+  for (FoundRow& found : run.rows) found.row.provenance = {{"shard_cases", 1}, {"all_cases", -1}};
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 1/3: no rows"}));
 }
 

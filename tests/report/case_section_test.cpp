@@ -117,13 +117,14 @@ using Warnings = std::vector<std::string>;
 TEST(ViewCheck, NamesAMisspeltAxisOrTime) {
   const std::map<std::string, std::string> axes{{"layers", "4"}, {"mood", "calm"}};
   EXPECT_EQ(
-      view_warnings({.x = "layer", .y = {"medan_ms"}, .series = {"mood"}}, axes),
+      view_warnings({.x = "moon", .y = {"medan_ms"}, .series = {"mood"}}, axes),
       (Warnings{
-          "report.x names the column layer, which is neither an axis nor a time of the table; did you mean layers?",
+          "report.x names the column moon, which is neither an axis nor a time of the table; did you mean mood?",
           "report.y names the column medan_ms, which is neither an axis nor a time of the table; did you mean median_ms?"}));
   // The names of phases and metrics are not known before the run.
-  EXPECT_EQ(view_warnings({.x = "triangles", .y = {"simulate_ms", "error_rms"}, .panels = {"mood"}}, axes),
-            Warnings{});
+  EXPECT_EQ(
+      view_warnings({.x = "triangles", .y = {"simulate_ms", "median_gap_ms"}, .panels = {"mood"}}, axes),
+      Warnings{});
 }
 
 TEST(ViewCheck, AcceptsTheShippedExperiments) {

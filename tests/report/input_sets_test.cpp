@@ -29,6 +29,7 @@ TEST(InputSets, OtherInputsStandApartAndAreNamed) {
   auto rows = with(test::table1_rows(), {{"mesh", "m"}, {"scene", "1"}, {"kernel a.cl", "k"}}, "a");
   auto other = with(test::table1_rows(2), {{"mesh", "m"}, {"scene", "2"}, {"kernel a.cl", "l"}}, "b");
   other.resize(5);
+  other[4].row.case_name = "only here";  // the first set has no such case
   const auto old = with(test::table1_rows(3), {}, "c");
   rows.insert(rows.end(), other.begin(), other.end());
   rows.insert(rows.end(), old.begin(), old.end());

@@ -55,6 +55,12 @@ TEST(LeftOut, NamesRunsWithCasesThatHaveNoRow) {
   EXPECT_EQ(list[0].experiment, "silva2010-table1");
   EXPECT_EQ(list[0].where, "test_device@h");
   EXPECT_EQ(list[0].reason, "cases without a row: 8 of 40");
+  rows.resize(2);
+  for (int shard = 0; shard < 2; ++shard)
+    rows[std::size_t(shard)].row.provenance = {
+        {"shard", fmt::format("{}/2", shard)}, {"all_cases", 3}, {"repeats", 2}};
+  EXPECT_EQ(missing_cases({rows.front().journal}, rows).at(0).reason,
+            "cases without a row: 4 of 6 in the whole run");
 }
 
 TEST(LeftOut, IsATableInEveryFormat) {

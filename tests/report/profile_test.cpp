@@ -7,10 +7,10 @@
 namespace pelage {
 namespace {
 
-const Bandwidth bandwidth{"a device, \"quoted\"", 40};
+const Bandwidth bandwidth{"a device, \"quoted\"", 4};
 
 std::vector<FrameWork> one_frame() {
-  // The first kernel reads and writes 1 MB in 0.5 ms: 2 GB/s, 5% of the bandwidth.
+  // The first kernel reads and writes 1 MB in 0.5 ms: 2 GB/s, 50% of the bandwidth.
   return {{"torus-16",
            9360,
            2.0,
@@ -26,7 +26,8 @@ TEST(Profile, TheTableHasRatesAndSharesOfTheBandwidth) {
                     "bin_fill,bin,0.25,500000,2\n"});
   const std::string text = text_of(one_frame(), bandwidth);
   test::expect_has(text,
-                   {"0.500   25.0%      1.00     2.00     5.0%", "between kernels            1.250   62.5%"});
+                   {"0.500   25.0%      1.00     2.00    50.0%", "between kernels            1.250   62.5%",
+                    "9360      2.00      3.00      2.00      1.00         1.0\n"});
 }
 
 TEST(Profile, KernelsOfTwoPhasesAreNamedWithTheirPhase) {

@@ -56,6 +56,7 @@ TEST(Report, WritesEverythingItPromises) {
   fs::create_directories(journal.parent_path() / "images");
   std::ofstream(journal.parent_path() / "images" / "torus-64-800x600.png") << "png";
   for (FoundRow& row : rows) row.journal = journal;
+  rows[1].row.provenance["utc"] = "2026-11-20T00:00:00Z";
 
   const fs::path out = folder.path / "deep" / "report";
   const Report report = write_report(rows, out, note_of_hippo);
@@ -66,8 +67,10 @@ TEST(Report, WritesEverythingItPromises) {
     EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
   EXPECT_EQ(test::lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
   test::expect_has(text_of(out / "references.bib"), "10.1007/s00371-010-0484-4");
-  test::expect_has(text_of(out / "provenance.txt"), "preset: quick");
+  test::expect_has(text_of(out / "provenance.txt"),
+                   {"preset: quick", "from 2026-11-20T00:00:00Z to 2026-11-21T00:00:00Z"});
   EXPECT_EQ(report.rows.size(), rows.size());
+  for (const std::string& note : report.notes) test::expect_lacks(note, "images/");
   if (report.notes.empty()) {
     EXPECT_GT(fs::file_size(out / "plots/silva2010-table1-frame-time.svg"), 5000u);
     EXPECT_EQ(text_of(out / "plots/silva2010-table1-frame-time.pdf").substr(0, 5), "%PDF-");
@@ -99,7 +102,9 @@ TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
   rows[1].row.provenance["other_cpu_share"] = 0.5;
   const Report loaded = write_report(rows, folder.path / "loaded", note_of_hippo);
   ASSERT_FALSE(loaded.notes.empty());
-  EXPECT_EQ(loaded.notes.front().find("1 of 3 rows were timed on a loaded machine"), 0u)
+  EXPECT_EQ(loaded.notes.front().find(
+                "1 of 3 rows were timed on a loaded machine: other processes used more than 10% of its"),
+            0u)
       << loaded.notes.front();
 }
 

@@ -40,7 +40,12 @@ TEST(Scaling, OnlyItsOwnCellsWithATimeCount) {
   all[0].overrides = {{"fur.length", "0.1"}};
   all[1].median_ms = 0;
   all[2].experiment = "silva2010-table1";
-  EXPECT_EQ(scaling_cells(all).size(), all.size() - 3);
+  all[3].axes["layers"] = "1";
+  all[3].median_ms = all[3].metrics["triangles"].value = 0.5;
+  all[4].axes.erase("size");
+  all[5].axes.erase("layers");
+  all[6].metrics.erase("triangles");
+  EXPECT_EQ(scaling_cells(all).size(), all.size() - 6);
 }
 
 TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
@@ -74,6 +79,7 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   two[1].median_ms = 19;
   two[2].median_ms = 40;
   two[3].median_ms = 70;
+  EXPECT_EQ(scaling_text({}), "");
   const std::string text = scaling_text(two);
   test::expect_has(
       text, {"1.90 times", "A frame with twice the layers takes at most 2.11 times as long (limit: 2.05)",

@@ -119,6 +119,7 @@ TEST(CaseSection, HasEveryCaseOfOwnAxes) {
   const std::string text = text_of(section.table);
   test::expect_has(text, {"10.0 [", "20.0 [", "30.0 [", "40.0 [", "50.0 [", "60.0 ["});
   EXPECT_NE(text.find("0.05"), std::string::npos) << "numbers appear as they were written";
+  EXPECT_EQ(value(section.table, 0, "model").shown, "mine");
   ASSERT_EQ(section.plots.size(), 1u);
   const PlotSpec& plot = section.plots[0];
   EXPECT_EQ(plot.x, "curl.radius");
@@ -130,18 +131,23 @@ TEST(CaseSection, HasEveryCaseOfOwnAxes) {
 
 TEST(CaseSection, TwoNumericAxesBecomePanels) {
   const auto all = sections(test::own_rows(
-      {{"layers", {"8", "16", "32"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}}));
+      {{"layers", {"1", "16", "20"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}}));
   const PlotSpec& plot = all.at(0).plots.at(0);
   EXPECT_EQ(plot.x, "layers");
+  EXPECT_EQ(plot.x_scale, "log");
   EXPECT_EQ(plot.panels, std::vector<std::string>{"fur.length"});
   EXPECT_EQ(plot.series, std::vector<std::string>{"model"});
 }
 
 TEST(CaseSection, CategoriesBecomePoints) {
-  const auto all = sections(test::own_rows({{"model", {"a", "b", "c"}}, {"variant", {"x", "y"}}}));
-  const PlotSpec& plot = all.at(0).plots.at(0);
-  EXPECT_EQ(plot.x, "model");
-  EXPECT_EQ(plot.series, std::vector<std::string>{"variant"});
+  auto rows = test::own_rows({{"model", {"a", "b", "c"}}, {"variant", {"x", "y"}}});
+  for (const char* x : {"", "device"}) {  // all cases have one device
+    rows[0].row.provenance["view"] = {{"x", x}};
+    const auto all = sections(rows);
+    const PlotSpec& plot = all.at(0).plots.at(0);
+    EXPECT_EQ(plot.x, "model");
+    EXPECT_EQ(plot.series, std::vector<std::string>{"variant"});
+  }
 }
 
 // The table has a column `drift` of the times. A metric of this name has another column, which the view
@@ -232,6 +238,8 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
   ASSERT_EQ(section.plots.size(), 1u);
   EXPECT_EQ(section.plots[0].y, "opengl_ratio");
   EXPECT_EQ(section.plots[0].guide, 1);
+  EXPECT_EQ(section.plots[0].series, (std::vector<std::string>{"layers", "size"}));
+  EXPECT_EQ(section.plots[0].note, "test device against softpipe, Mesa");
 }
 
 TEST(RatioSection, CountsWhatHasNoRatio) {
@@ -361,6 +369,9 @@ TEST(VariantSection, HasTheFastestFirstAndNoTimeForAnotherPicture) {
   EXPECT_EQ(pivot.blocks[0].rows.back().keys[1].shown, "-");
   for (const std::string& text : {text_of(table), html_of(table)})
     test::expect_has(text, {"320 [320, 320]", "failed-check"});
+  EXPECT_EQ(only_section(option_rows()).plots.at(0).x, "variant") << "layers has two values only";
+  const auto four = test::own_rows({{"variant", {"a", "b", "c", "d"}}});
+  EXPECT_NE(column_of(only_section(four).table, "by_fastest"), -1);
 }
 
 }  // namespace

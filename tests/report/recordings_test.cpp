@@ -1,0 +1,91 @@
+// Tests that the recorded rows (results/) still give the recorded tables (results/tables), which the
+// documents cite. scripts/record_all.sh writes both.
+#include <toml++/toml.h>
+
+#include <map>
+#include <regex>
+#include <set>
+
+#include "harness/claims/print.hpp"
+#include "harness/report/csv.hpp"
+#include "harness/report/report.hpp"
+#include "harness/table/render.hpp"
+#include "tests/report/rows.hpp"
+#include "tests/support/files.hpp"
+
+namespace pelage {
+namespace {
+
+const fs::path results = fs::path(PELAGE_SOURCE_DIR) / "results";
+
+/// A folder of results/tables, and the folders of its rows in results/.
+struct Recorded {
+  std::string tables;
+  std::vector<std::string> rows;
+  std::size_t files;  ///< number of compared files
+  std::set<std::string> except =
+      {};  ///< files that name the journals in another order, or metrics by old names
+};
+
+std::map<std::string, std::string> files_of(const std::vector<FoundRow>& rows) {
+  std::map<std::string, std::string> files;
+  const std::vector<Cell> cells = cells_of(rows);
+  const toml::table file = toml::parse_file((results.parent_path() / "experiments/models.toml").string());
+  std::map<std::string, std::string> notes;
+  std::vector<std::string> said;
+  for (const toml::node& model : *file["model"].as_array())
+    notes[model.at_path("name").value_or("")] = model.at_path("footnote").value_or("");
+  std::vector<Section> sections =
+      sections_of(cells, {[&](const std::string& model) { return notes[model]; }, false, false, &said});
+  if (const auto left_out = without_numbers(cells, rows); !left_out.empty())
+    sections.push_back(left_out_section(left_out));
+  for (const Section& section : sections) {
+    files[section.table.stem + ".csv"] = csv_of(section.table);
+    files[section.table.stem + ".txt"] = text_of(section.table);
+    files[section.table.stem + ".tex"] = latex_of(section.table);
+  }
+  const Table solvers = solver_table(rows);
+  files[solvers.stem + ".csv"] = csv_of(solvers);
+  files["scaling.csv"] = scaling_csv(scaling_cells(cells));
+  files["layers-ratios.csv"] = in_turns_csv(in_turns_cells(cells));
+  files["provenance.txt"] = std::regex_replace(provenance_of(rows), std::regex(" \n"), "\n");
+  auto verdicts = claims::judge(claims::read_claims(claims::shipped_claims()), rows);
+  std::erase_if(verdicts, [](const claims::Judged& judged) { return judged.device.empty(); });
+  files["claims.csv"] = csv_lines(claims::table_of(verdicts));
+  return files;
+}
+
+TEST(RecordedRows, StillGiveTheRecordedTables) {
+  const std::vector<Recorded> all = {
+      {"table1", {"silva2010-table1"}, 3},
+      {"topology",
+       {"banisch2006-energy", "banisch2006-equal-steps", "banisch2006-lean", "banisch2006-longest-step",
+        "banisch2006-mesh-size", "banisch2006-update-time", "banisch2006-work-precision", "topology-drift",
+        "topology-equal-error", "topology-jacobian", "topology-mesh-scaling", "topology-parting",
+        "topology-solvers", "topology-steps", "topology-table1"},
+       41},
+      {"rivals", {"rivals", "rivals-strongest", "rivals-tori", "rival-options"}, 12},
+      {"rivals-avx2", {"avx2"}, 5},
+      {"effects", {"overheads", "readings"}, 5, {"provenance.txt"}},
+      {"strands",
+       {"demoreuille2011-lod", "demoreuille2011-scaling", "shells-vs-strands", "strands-opengl-ways"},
+       16},
+      {"scaling", {"layers", "scaling"}, 4, {"provenance.txt", "scaling.csv", "scaling.txt"}}};
+  for (const Recorded& recorded : all) {
+    std::vector<std::string> places;
+    places.reserve(recorded.rows.size());
+    for (const std::string& name : recorded.rows) places.push_back((results / name).string());
+    const auto files = files_of(read_results(places));
+    std::size_t compared = 0;
+    for (const auto& file : fs::directory_iterator(results / "tables" / recorded.tables)) {
+      const auto found = files.find(file.path().filename().string());
+      if (found == files.end() || recorded.except.contains(found->first)) continue;
+      ++compared;
+      EXPECT_EQ(found->second, test::text_of(file.path())) << file.path();
+    }
+    EXPECT_EQ(compared, recorded.files) << recorded.tables;
+  }
+}
+
+}  // namespace
+}  // namespace pelage
