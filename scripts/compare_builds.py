@@ -22,6 +22,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
+from pelage import median_interval  # noqa: E402
+
 SIDES = ("old", "new", "control")
 TURN_S = 0.15
 PRESET = """
@@ -71,21 +74,8 @@ def frame_ms(folder):
     return statistics.median(rows[0]["samples"]["frame"]["wall_ms"])
 
 
-def rank_of_interval(n):
-    """Returns the largest r for which the interval from the r-th smallest to the r-th largest of n samples contains the
-    median of the distribution with a probability of at least 95%, or 1."""
-    below, rank = 0.0, 1
-    for r in range(1, n // 2 + 1):
-        below += math.comb(n, r - 1) / 2**n
-        if 2 * below > 0.05:
-            break
-        rank = r
-    return rank
-
-
 def summary(logs):
-    ordered, rank = sorted(logs), rank_of_interval(len(logs))
-    return [math.exp(x) for x in (statistics.median(ordered), ordered[rank - 1], ordered[-rank])]
+    return [math.exp(x) for x in (statistics.median(logs), *median_interval(logs))]
 
 
 def report(folder, cells):

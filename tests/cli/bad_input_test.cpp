@@ -28,10 +28,6 @@ const std::vector<Bad> usage = {
     {"render -o a.png --size 16384x16384", "268435456 pixels; give at most"},
     {"render -o a.png --size 99999999999999999999x1", "give width x height"},
     {"render -o a.png --set fur.layers=1", "--set: fur.layers: 1 is out of range; give 2 to 512"},
-    {"render -o a.png --set fur.length=nan", "nan is not a finite number"},
-    {"render -o a.png --set fur.lenght=1", "did you mean fur.length?"},
-    {"render -o a.png --set dynamics.step=0", "dynamics.step: 0 is out of range"},
-    {"render -o a.png --set dynamics.step=1", "dynamics.step: 1 s is unstable"},
     {"render -o a.png --set", "--set"},
     {"render -o a.png --pipeline magic", "--pipeline"},
     {"render -o a.png --mapping magic", "--mapping"},
@@ -74,10 +70,7 @@ const std::vector<Bad> scenes = {
     {"render text.obj -o a.png", "text.obj: is a mesh file; give a scene and the mesh"},
     {"scene .", ".: is a folder"},
     {"scene binary.toml", "binary.toml:1: not TOML"},
-    {"scene half.toml", "half.toml:2: not TOML"},
-    {"scene twice.toml", "twice.toml:2: not TOML"},
     {"scene typo.toml", "typo.toml:2: fur.lenght: no such key; did you mean fur.length?"},
-    {"scene type.toml", "type.toml:1: fur.layers: is a string; give 2 to 512"},
     {"scene deep.toml", "deep.toml:1: not TOML"},
     {"scene /dev/zero", "is larger than a scene file may be"},
     {"render -o a.png nan.toml", "nan.toml:1: fur.tile: nan is not a finite number"},
@@ -93,30 +86,14 @@ const std::vector<Bad> models = {
 };
 
 const std::vector<Bad> meshes = {
-    {"--model nothing", "nothing"},
-    {"--model nothing.obj", "nothing.obj"},
-    {"--model .", "not a file"},
-    {"--model text.obj", "text.obj"},
-    {"--model empty.off", "empty.off"},
-    {"--model truncated.off", "truncated.off"},
-    {"--model infinite.off", "infinite.off"},
-    {"--model flat.off", "flat.off"},
-    {"--model range.obj", "range.obj"},
-    {"--model text.ply", "text.ply"},
-    {"--model huge.ply", "huge.ply"},
-    {"--model text.stl", "text.stl"},
-    {"--model text.3ds", "text.3ds"},
-    {"--model text.gltf", "text.gltf"},
-    {"--model text.xyz", "text.xyz"},
+    {"--model nothing", "nothing"},   {"--model nothing.obj", "nothing.obj"}, {"--model .", "not a file"},
+    {"--model text.obj", "text.obj"}, {"--model text.3ds", "text.3ds"},
 };
 
 const std::vector<Bad> images = {
     {"--set coat.image=missing.png", "missing.png: there is no such file"},
     {"--set coat.image=.", "not a file"},
     {"--set coat.image=text.png", "text.png: not a readable picture"},
-    {"--set coat.image=half.png", "half.png: "},
-    {"--set coat.image=half.tif", "half.tif: "},
-    {"--set coat.image=half.exr", "half.exr: "},
     {"--set coat.image=half.jpg", "half.jpg: "},
     {"--set coat.image=huge.png", "huge.png: "},
     {"--set coat.image=large.png", "16384 x 16384 pixels; pelage reads pictures of at most 67108864 pixels"},
@@ -163,10 +140,7 @@ TEST_F(BadInput, Usage) {
 
 TEST_F(BadInput, Scenes) {
   folder.write("binary.toml", std::string("\x7f\x45\x4c\x46\0\1\2\3", 8));
-  folder.write("half.toml", "[fur]\nlength = ");
-  folder.write("twice.toml", "model = 'torus'\nmodel = 'cow'\n");
   folder.write("typo.toml", "[fur]\nlenght = 0.1\n");
-  folder.write("type.toml", "fur.layers = '16'\n");
   folder.write("deep.toml", "a = " + std::string(100000, '['));
   folder.write("nan.toml", "fur.tile = nan\n");
   expect_all(folder, scenes);
@@ -179,41 +153,14 @@ TEST_F(BadInput, Models) {
 
 TEST_F(BadInput, Meshes) {
   folder.write("text.obj", "this is no mesh\n");
-  folder.write("empty.off", "OFF\n0 0 0\n");
-  folder.write("truncated.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n");
-  folder.write("infinite.off",
-               "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 inf\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
-  folder.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n");
-  folder.write("range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
-  for (const char* name : {"text.ply", "text.stl", "text.3ds", "text.gltf", "text.xyz"})
-    folder.write(name, "no mesh\n");
-  folder.write(
-      "huge.ply",
-      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n");
+  folder.write("text.3ds", "no mesh\n");
   expect_all(folder, meshes, "render -o a.png --pipeline reference --size 16x16 ", true);
   EXPECT_FALSE(std::filesystem::exists(folder.path / "a.png"));
 }
 
-/// Writes the first half of a valid PNG, TIFF and OpenEXR file, and the header of a JPEG file.
-void write_halves(const Folder& folder) {
-  Picture noise{64, 64, {}};
-  for (unsigned i = 0, state = 1; i < 64 * 64; ++i) {
-    const auto next = [&] {
-      return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0f;
-    };
-    noise.pixel.emplace_back(next(), next(), next(), 1.0f);
-  }
-  for (const char* name : {"half.png", "half.tif", "half.exr"}) {
-    write_picture(folder.path / name, noise);
-    const std::string bytes = folder.read(name);
-    folder.write(name, bytes.substr(0, bytes.size() / 2));
-  }
-  folder.write("half.jpg",
-               std::string("\xff\xd8\xff\xe0\x00\x10JFIF\x00\x01\x01\x00\x00\x01\x00\x01\x00\x00", 20));
-}
-
 TEST_F(BadInput, Images) {
-  write_halves(folder);
+  folder.write("half.jpg",  // the header of a JPEG file
+               std::string("\xff\xd8\xff\xe0\x00\x10JFIF\x00\x01\x01\x00\x00\x01\x00\x01\x00\x00", 20));
   folder.write("text.png", "this is no picture\n");
   folder.write("text.gif", "this is no picture\n");
   // The header of this file declares 2,000,000 x 2,000,000 pixels, but the file contains no pixels.

@@ -21,6 +21,8 @@ TEST_F(TopologyCommand, CountsThePapersModels) {
   const Outcome grass = done("topology banisch-grass");
   expect_has(grass.out, "13 surface points");
   EXPECT_EQ(row_of(grass.out, "sticks"), "26 13");
+  // A disk with V = 13 vertices and F = 16 faces has V + F - 1 = 28 edges (Euler's formula). The topology
+  // `prisms` has one spring per vertex and one spring per edge.
   EXPECT_EQ(row_of(grass.out, "prisms"), "26 41");
   EXPECT_EQ(row_of(grass.out, "separable-sticks"), "96 48");
   EXPECT_EQ(row_of(grass.out, "separable-prisms"), "96 96");

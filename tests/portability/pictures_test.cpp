@@ -23,16 +23,9 @@ struct Sight {
 /// Returns frames of 160 x 100 pixels and 6 layers: a torus with each shading model, and a square so near to
 /// the camera that its triangles cross the near plane and the guard band.
 std::vector<Sight> sights() {
-  Scene near = synthetic::lively_scene();
-  near.fur.length = .05f;
-  near.fur.layers = 6;
-  near.camera.eye = {.13f, -.21f, .25f};
-  near.camera.target = {.3f, 1.2f, 0};
-  near.camera.up = {0, 0, 1};
-  near.camera.fov = 70;
   return {{"curling", small_frame("curling", "shared", 6)},
           {"wet", small_frame("wet", "separate", 6)},
-          {"near", std::make_shared<FrameInput>(synthetic::frame(near, synthetic::square(6), 7, 7, 30))}};
+          {"near", std::make_shared<FrameInput>(fur_behind_the_eye(6).back().second)}};
 }
 
 Picture drawn_by(const cl::Device& device, const FrameInput& input, const std::string& mapping) {

@@ -210,13 +210,6 @@ TEST(Image, DropletsFallWhereItIsBright) {
   for (const Droplet& d : drops) EXPECT_GE(d.centre.y, 0.5f);
 }
 
-TEST(Image, MissingMaskIsRefused) {
-  const test::Folder folder;
-  WetnessScene wetness = rain();
-  wetness.image = folder.path / "nowhere.png";
-  EXPECT_THROW(droplets_of(wetness), InputError);
-}
-
 /// Returns the area on the surface, in R^2, of the part whose UV lies in the disc of the droplet.
 double disc_area(const Mesh& mesh, const Droplet& droplet) {
   constexpr int n = 24;

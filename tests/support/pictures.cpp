@@ -94,11 +94,7 @@ Cases other_readings() {
 
 Cases clump_readings() {
   Cases cases;
-  for (const auto& [scale, tangent] : {std::pair{"relative", "strand"},
-                                       {"distance", "strand"},
-                                       {"converge", "strand"},
-                                       {"converge", "paper"},
-                                       {"distance", "printed"}}) {
+  for (const auto& [scale, tangent] : {std::pair{"converge", "paper"}, {"distance", "printed"}}) {
     FrameInput& input = cases.emplace_back(fmt::format("{}, {}", scale, tangent), *small_frame("wet")).second;
     input.scene.clump.scale = scale;
     input.scene.shading.tangent = tangent;
@@ -145,8 +141,9 @@ Cases other_sizes() {
   return cases;
 }
 
-Cases fur_behind_the_eye() {
+Cases fur_behind_the_eye(int layers) {
   Scene scene = synthetic::lively_scene();
+  scene.fur.layers = layers;
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};
   scene.camera.target = {.3f, 1.2f, 0};

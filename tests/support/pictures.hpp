@@ -61,7 +61,7 @@ Cases consistent_borders();
 Cases orders_of_faces();
 Cases other_sizes();
 /// The camera is so near to a square that its triangles cross the near plane and the guard band.
-Cases fur_behind_the_eye();
+Cases fur_behind_the_eye(int layers = 16);
 
 /// Returns a furry square in the plane z = 0 with normals along +z. The eye is above the square if `side` is
 /// 1, and below it if `side` is -1. One light shines from the eye's side. `sides` is shading.sides.

@@ -156,7 +156,7 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
   for (const int size : {1, 37, 64, 256})
     for (const std::uint32_t count : {0u, 1u, 40u, 41u, 400u, 401u}) {
       FrameInput input = rained(size, count, std::uint32_t(size));
-      if (count % 40 == 1) input.scene.wetness.blend = "overlap";
+      if (count % 40 == 1) input.scene.wetness.blend = "near", input.scene.clump.cells = "separate";
       Shells drawn = shells_of(input);
       EXPECT_EQ(drawn.mask_time().all > 0, count > 0) << "no droplets, no kernel";
       const std::vector<glm::vec4> mask = drawn.mask();
@@ -186,25 +186,6 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
         EXPECT_GT(different, mask.size() / 4);
       }
     }
-}
-
-// The pairs blend, blend up to the wetness 1, overwrite each other, and blend in the other order.
-TEST(KernelMask, OfTwoDropletsIsThatOfTheReference) {
-  FrameInput input = rained(8, 0, 0);
-  input.scene.wetness.blend = "near";
-  input.scene.clump.cells = "separate";
-  const auto drop = [](float u, float radius, float wetness) {
-    return Droplet{{u, .55f}, radius, wetness, {0, 0, 0}, 100};
-  };
-  for (const auto& [first, second] : {std::pair(drop(.5f, .3f, .4f), drop(.6f, .2f, .4f)),
-                                      {drop(.5f, .3f, .5f), drop(.6f, .2f, .8f)},
-                                      {drop(.3f, .35f, .4f), drop(.6f, .2f, .7f)},
-                                      {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)}}) {
-    input.droplets = {first, second};
-    const reference::Clump expected = reference::wetness_mask(input).texel[4 * 8 + 4];
-    const glm::dvec4 found(shells_of(input).mask()[4 * 8 + 4]);
-    EXPECT_LT(glm::distance(found, glm::dvec4(expected.centre, expected.radius, expected.wetness)), 1e-6);
-  }
 }
 
 }  // namespace

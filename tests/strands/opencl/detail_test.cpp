@@ -133,9 +133,9 @@ TEST(StrandDetail, CoverageIsKept) {
   for (const auto& [fraction, distance] :
        {std::pair(0.5f, 5.0f), std::pair(0.25f, 7.0f), std::pair(0.1f, 12.0f)}) {
     drawer.set_view(view_of(1, {0, 0, distance}));
-    const double all = test::mean_coverage(drawn_with(drawer, ball.keys));
+    const double all = covered(drawn_with(drawer, ball.keys));
     drawer.set_view(view_of(fraction, {0, 0, distance}));
-    EXPECT_NEAR(test::mean_coverage(drawn_with(drawer, ball.keys)), all, 0.01 * all) << fraction;
+    EXPECT_NEAR(covered(drawn_with(drawer, ball.keys)), all, 0.01 * all) << fraction;
   }
 }
 
@@ -186,7 +186,7 @@ TEST(StrandDetail, SegmentsFollowTheSizeOnTheScreen) {
 double coverage_of(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
   Strands strands(test::queue().device(), prepare_strands(scene, mesh));
   strands.still();
-  return test::mean_coverage(strands.read());
+  return covered(strands.read());
 }
 
 TEST(StrandCoverage, IsKeptIfStrandsAreLeftOut) {

@@ -118,8 +118,8 @@ TEST_P(Dolly, HardlyPopsAndKeepsItsCoverage) {
   const double nearest = views.distance_of_width(least);
   for (const float fraction : {0.5f, 0.25f, 0.1f})
     for (const double distance : {1.0, nearest / double(fraction)}) {
-      const double all = test::mean_coverage(views.draw(distance, 1));
-      EXPECT_NEAR(test::mean_coverage(views.draw(distance, fraction)), all, 0.01 * all) << fraction;
+      const double all = covered(views.draw(distance, 1));
+      EXPECT_NEAR(covered(views.draw(distance, fraction)), all, 0.01 * all) << fraction;
     }
   Popping part, all;
   for (int t = 0; t < frames; ++t) {

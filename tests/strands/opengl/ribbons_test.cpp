@@ -11,14 +11,6 @@
 namespace pelage::strands {
 namespace {
 
-DrawingScene scene_of(int width, int height) {
-  DrawingScene scene;
-  scene.camera = camera_at(width, height);
-  scene.range = depth_range(scene.camera, 1 + longest);
-  scene.first_segment = 0.45f;
-  return scene;
-}
-
 double psnr_of(const DrawingScene& scene, const Ball& ball, const RibbonOptions& options) {
   Ribbons ribbons(scene, ball.strands, options);
   EXPECT_GT(ribbons.frame(ball.keys), 0);
@@ -34,13 +26,13 @@ double psnr_of(const DrawingScene& scene, const Ball& ball, const RibbonOptions&
 TEST(Ribbons, AgreeWithTheReference) {
   const Ball ball(700, 2);
   for (const char* expand : {"instanced", "indexed"}) {
-    EXPECT_GE(psnr_of(scene_of(333, 250), ball, {expand, "rgba32f"}), 50) << expand;
-    EXPECT_GE(psnr_of(scene_of(333, 250), ball, {expand, "rgba16f"}), 45) << expand;
+    EXPECT_GE(psnr_of(ball_scene(333, 250), ball, {expand, "rgba32f"}), 50) << expand;
+    EXPECT_GE(psnr_of(ball_scene(333, 250), ball, {expand, "rgba16f"}), 45) << expand;
   }
 }
 
 TEST(Ribbons, NothingIsDrawnOfStrandsBeyondThePicture) {
-  DrawingScene scene = scene_of(100, 80);
+  DrawingScene scene = ball_scene(100, 80);
   Ball ball(20);
   for (KeyStrand& key : ball.keys) key.root += glm::vec3(50, 0, 0);
   Ribbons ribbons(scene, ball.strands);
@@ -51,8 +43,8 @@ TEST(Ribbons, NothingIsDrawnOfStrandsBeyondThePicture) {
 
 TEST(Ribbons, WrongOptionsAreRefused) {
   const Ball ball(5);
-  EXPECT_THROW(Ribbons(scene_of(50, 50), ball.strands, {"strips"}), InputError);
-  EXPECT_THROW(Ribbons(scene_of(50, 50), ball.strands, {"indexed", "rgb8"}), InputError);
+  EXPECT_THROW(Ribbons(ball_scene(50, 50), ball.strands, {"strips"}), InputError);
+  EXPECT_THROW(Ribbons(ball_scene(50, 50), ball.strands, {"indexed", "rgb8"}), InputError);
 }
 
 }  // namespace

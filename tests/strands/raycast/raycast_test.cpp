@@ -19,12 +19,6 @@ RaycastScene scene_at(int width, int height, glm::vec3 eye, const Paint& paint =
   return scene;
 }
 
-double covered(const Picture& picture) {
-  double sum = 0;
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
-  return sum;
-}
-
 // A cylinder of radius r at the distance d appears as wide as a disc of radius r d / sqrt(d^2 - r^2) in the
 // plane through its axis.
 TEST(Raycast, AStraightStrandCoversItsProjection) {

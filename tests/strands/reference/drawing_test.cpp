@@ -12,6 +12,7 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "tests/strands/support/ball.hpp"
 
 namespace pelage::strands::reference {
 namespace {
@@ -64,12 +65,6 @@ Picture drawn(const Look& look, const std::vector<DrawnStrand>& strands) {
   return draw(camera(), look, strands, drawing_order(camera(), depth_range(camera(), 2), strands));
 }
 
-double sum_of_alpha(const Picture& picture) {
-  double sum = 0;
-  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.a);
-  return sum;
-}
-
 // The sum of all coverages is the area of the strip, in the mean over its position relative to the pixels. At
 // one position, a strip with a slope of 2 differs by 9%, because the distances of its pixels have few values.
 // The mean of 1 - t^3 over its six segments is the trapezoidal sum. The limit is 2%: the area has an error of
@@ -85,8 +80,8 @@ TEST(DrawingReference, CoverageAddsToTheAreaOfTheStrand) {
       double area = 0;
       for (int k = 0; k < shifts; ++k) {
         const double right = 0.3 + double(k) / shifts, down = 0.7 * k;
-        area += sum_of_alpha(drawn(plain(1), {strand_of(point(right - x, down - y), point(right, down),
-                                                        point(right + x, down + y), width)})) /
+        area += covered(drawn(plain(1), {strand_of(point(right - x, down - y), point(right, down),
+                                                   point(right + x, down + y), width)})) /
                 shifts;
       }
       EXPECT_NEAR(area / (60 * width * mean), 1, 0.02) << width << ", " << degrees;
@@ -96,7 +91,7 @@ TEST(DrawingReference, CoverageAddsToTheAreaOfTheStrand) {
 
 TEST(DrawingReference, HalfTheWidthHasHalfTheCoverage) {
   const auto area = [](double width) {
-    return sum_of_alpha(drawn(plain(1), {strand_of(point(-40, -13), point(3, 25), point(44, -7), width)}));
+    return covered(drawn(plain(1), {strand_of(point(-40, -13), point(3, 25), point(44, -7), width)}));
   };
   EXPECT_NEAR(area(0.2) / area(0.4), 0.5, 0.01);
   EXPECT_NEAR(area(0.4) / area(0.8), 0.5, 0.01);
@@ -180,7 +175,7 @@ TEST(DrawingReference, AStrandIsCutAtTheNearPlane) {
     DrawnStrand s = strand_of(at(0.01f, root), at(0, distance), at(-0.01f, tip), 1);
     s.normal = {0, 0, root > tip ? -1.0f : 1.0f};
     const Picture picture = drawn(plain(1), {s});
-    EXPECT_GT(sum_of_alpha(picture), 1);
+    EXPECT_GT(covered(picture), 1);
     for (const glm::vec4& pixel : picture.pixel)
       EXPECT_TRUE(std::isfinite(pixel.r) && std::isfinite(pixel.a));
   }
@@ -210,9 +205,9 @@ TEST(DrawingReference, LightIsThatOfKajiyaAndKay) {
 TEST(DrawingReference, ADifferentTaperAndLengthOfSegmentsChangeTheArea) {
   const DrawnStrand s = strand_of(point(-40, 0.2), point(0, 0.2), point(40, 0.2), 4);
   Look look = plain(1);
-  const double full = sum_of_alpha(drawn(look, {s}));
+  const double full = covered(drawn(look, {s}));
   look.taper = 1;
-  EXPECT_LT(sum_of_alpha(drawn(look, {s})), 0.7 * full);
+  EXPECT_LT(covered(drawn(look, {s})), 0.7 * full);
 }
 
 TEST(Drawing, ImpossibleLooksAreRefused) {

@@ -50,6 +50,13 @@ struct Ball {
   }
 };
 
+/// The sum of the coverages of all pixels.
+inline double covered(const Picture& picture) {
+  double sum = 0;
+  for (const glm::vec4& pixel : picture.pixel) sum += double(pixel.w);
+  return sum;
+}
+
 /// A straight strand from `root` to `tip`.
 inline DrawnStrand straight(glm::vec3 root, glm::vec3 tip, float width) {
   DrawnStrand s;
@@ -69,6 +76,16 @@ inline Camera camera_at(int width, int height, glm::vec3 eye = {0.5f, 0.6f, 3.4f
   image.width = width;
   image.height = height;
   return make_camera(camera, image, {}, 0);
+}
+
+/// A picture of a Ball.
+inline DrawingScene ball_scene(int width, int height, glm::vec3 eye = {0.5f, 0.6f, 3.4f},
+                               float near = 0.01f) {
+  DrawingScene scene;
+  scene.camera = camera_at(width, height, eye, near);
+  scene.range = depth_range(scene.camera, 1 + longest);
+  scene.first_segment = 0.45f;
+  return scene;
 }
 
 }  // namespace pelage::strands

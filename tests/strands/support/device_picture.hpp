@@ -10,16 +10,6 @@
 
 namespace pelage::strands {
 
-/// A picture of a Ball.
-inline DrawingScene ball_scene(int width, int height, glm::vec3 eye = {0.5f, 0.6f, 3.4f},
-                               float near = 0.01f) {
-  DrawingScene scene;
-  scene.camera = camera_at(width, height, eye, near);
-  scene.range = depth_range(scene.camera, 1 + longest);
-  scene.first_segment = 0.45f;
-  return scene;
-}
-
 /// Writes the key strands that a drawer draws. Returns its next picture.
 inline Picture drawn_with(Drawer& drawer, const std::vector<KeyStrand>& keys) {
   const std::vector<float> records = key_records(keys);
