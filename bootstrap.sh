@@ -117,7 +117,8 @@ table1() {
     "$binary" run silva2010-table1 "${preset[@]}" "$@"
     return
   fi
-  if [[ " $* " != *" --"[fms]* ]]; then  # without --filter, --model and --shard
+  # --filter, --model and --shard choose other meshes than all of the experiment file.
+  if [[ " $* " != *" --"[fms]* ]]; then
     say "preparing the meshes side by side; pelage run prepares one at a time"
     sed -n '/^model = /s/[^a-z0-9-]/\n/gp' "$root/experiments/silva2010-table1.toml" | grep . | tail -n +2 | tac |
       xargs -r -P "$(nproc)" -n 1 "$binary" mesh >/dev/null || true

@@ -27,12 +27,13 @@
 namespace pelage {
 namespace {
 
+/// Options of the commands mesh and topology: a model or mesh file, and how to load it.
 struct SourceOptions {
   std::string model, up = "y";
   std::optional<std::uint32_t> faces;
   std::vector<float> rotate;
 
-  MeshOptions load() const {
+  MeshOptions mesh_options() const {
     MeshOptions options;
     options.faces = faces;
     MeshScene turn;
@@ -157,7 +158,7 @@ void print_mesh(const Mesh& mesh) {
 
 int prepare_mesh(const MeshCommand& command) {
   if (!command.atlas.empty()) check_picture_path(command.atlas);
-  MeshOptions options = command.load();
+  MeshOptions options = command.mesh_options();
   options.keep_uv = command.keep_uv;
   options.even_uv = command.even_uv;
   options.largest_only = command.components == "largest";
@@ -250,7 +251,7 @@ void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
 }
 
 int count_springs(const TopologyCommand& command) {
-  const auto mesh = load_model(command.model, command.load());
+  const auto mesh = load_model(command.model, command.mesh_options());
   if (!command.drawing.empty()) write_drawing(*mesh, command);
   const Topology counts = topology(*mesh);
   const Published published = command.faces ? Published() : published_of(command.model);

@@ -44,8 +44,7 @@ TEST(Judge, NamesTheCasesThatAreLeftOut) {
   EXPECT_EQ(two.verdict, Verdict::untestable);
   EXPECT_EQ(two.reason, "1 of the 2 effects that decide the claim are measured");
   EXPECT_FALSE(two.value.has_value());
-  std::vector<FoundRow> twice = two_rows();
-  twice.push_back(twice[1]);
+  std::vector<FoundRow> twice = {two_rows()[0], two_rows()[1], two_rows()[1]};
   twice.back().row.case_name = "again";
   EXPECT_EQ(judged(twice, ratio, "{ at_most = 4 }").notes.at(0),
             "1 left out: 16-a (several cases differ only in their names, so the claim cannot select one)");

@@ -18,13 +18,14 @@ namespace {
 
 const fs::path results = fs::path(PELAGE_SOURCE_DIR) / "results";
 
-/// A folder of results/tables, and the folders of its rows in results/.
+/// A folder of results/tables, and how the names of the folders of its rows in results/ begin.
 struct Recorded {
   std::string tables;
   std::vector<std::string> rows;
   std::size_t files;  ///< number of compared files
-  std::set<std::string> except =
-      {};  ///< files that name the journals in another order, or metrics by old names
+  /// Files that are not compared: they name the journals in another order or metrics by old names, or
+  /// write_report() writes another table over that of the experiment `scaling`.
+  std::set<std::string> except = {};
 };
 
 std::map<std::string, std::string> files_of(const std::vector<FoundRow>& rows) {
@@ -58,24 +59,18 @@ std::map<std::string, std::string> files_of(const std::vector<FoundRow>& rows) {
 TEST(RecordedRows, StillGiveTheRecordedTables) {
   const std::vector<Recorded> all = {
       {"table1", {"silva2010-table1"}, 3},
-      {"topology",
-       {"banisch2006-energy", "banisch2006-equal-steps", "banisch2006-lean", "banisch2006-longest-step",
-        "banisch2006-mesh-size", "banisch2006-update-time", "banisch2006-work-precision", "topology-drift",
-        "topology-equal-error", "topology-jacobian", "topology-mesh-scaling", "topology-parting",
-        "topology-solvers", "topology-steps", "topology-table1"},
-       41},
-      {"rivals", {"rivals", "rivals-strongest", "rivals-tori", "rival-options"}, 12},
+      {"topology", {"banisch2006-", "topology-"}, 41},
+      {"rivals", {"rival"}, 12},
       {"rivals-avx2", {"avx2"}, 5},
       {"effects", {"overheads", "readings"}, 5, {"provenance.txt"}},
-      {"strands",
-       {"demoreuille2011-lod", "demoreuille2011-scaling", "shells-vs-strands", "strands-opengl-ways"},
-       16},
+      {"strands", {"demoreuille2011-", "shells-vs-strands", "strands-opengl-ways"}, 16},
       {"scaling", {"layers", "scaling"}, 4, {"provenance.txt", "scaling.csv", "scaling.txt"}}};
   for (const Recorded& recorded : all) {
-    std::vector<std::string> places;
-    places.reserve(recorded.rows.size());
-    for (const std::string& name : recorded.rows) places.push_back((results / name).string());
-    const auto files = files_of(read_results(places));
+    std::set<std::string> places;
+    for (const auto& place : fs::directory_iterator(results))
+      for (const std::string& begin : recorded.rows)
+        if (place.path().filename().string().starts_with(begin)) places.insert(place.path().string());
+    const auto files = files_of(read_results({places.begin(), places.end()}));
     std::size_t compared = 0;
     for (const auto& file : fs::directory_iterator(results / "tables" / recorded.tables)) {
       const auto found = files.find(file.path().filename().string());
