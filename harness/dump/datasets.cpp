@@ -66,7 +66,7 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
       "row-major matrix; its product with (p, 1) is (x, y, z, 1): the point p is x to the right of the eye, y below and z in front of it");
   file.write(
       "camera/projection", {4, 4}, projection, "pixels R, pixels R, R, R",
-      "row-major matrix; its product with the vector that camera/view gives is (X, Y, near, w), with X, Y and w as in camera/rows and near = camera/near");
+      "row-major matrix; its product with the vector (x, y, z, 1) of camera/view is (X, Y, near, w), with X, Y and w as in camera/rows and near = camera/near");
 }
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
@@ -190,11 +190,11 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
                "1/255, 1/127.5",
                level == 0
                    ? "coverage of the fur, and its shade, a factor of the coat's colour; axes: layer, v, u"
-                   : "mip level of fur");
+                   : "mip level of fur with the number in the dataset's name");
   }
   file.write(
       "fur_scale", std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
-      "number of repeats of the fur texture per unit of u and of v: fur.tile l_u and fur.tile l_v (docs/shells.md, section 2), rounded to integers of at least 1 if the UV map is periodic");
+      "number of repeats of the fur texture per unit of u and of v: fur.tile times l_u and l_v (docs/shells.md, section 2), rounded to integers of at least 1 if the UV map is periodic");
   file.write("colour", {coat, coat}, input.coat.texel, "1/255",
              "colours of the coat in gamma space (red, green, blue and an unused channel); axes: v, u");
 }
@@ -243,7 +243,7 @@ void write_style(Hdf5File& file, const FrameInput& input) {
       "contact/field",
       {std::size_t(field->nodes.z), std::size_t(field->nodes.y), std::size_t(field->nodes.x)},
       field->distance, "1",
-      "distances from the mesh among the colliders at the nodes of a grid, divided by contact.mesh_scale, negative inside; axes: z, y, x");
+      "distance of each node of a grid from the surface of contact.mesh, negative inside, divided by contact.mesh_scale; axes: z, y, x");
   file.write(
       "contact/grid", std::array{field->origin.x, field->origin.y, field->origin.z, field->cell}, "1",
       "position of the field's first node relative to the centre of the mesh, and distance of adjacent nodes, both divided by contact.mesh_scale");

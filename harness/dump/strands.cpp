@@ -75,7 +75,7 @@ void write_look(Hdf5File& file, const StrandInput& input) {
     for (const FilmSample& sample : frame) film.push_back({sample.luminance, sample.gloss, sample.opacity});
   file.write(
       "light/film", {input.look.film.size(), std::size(FilmFrame{})}, film, "1",
-      "frames of the film strips, from root to tip: luminance and gloss (128 means 1), opacity (255 means 1)");
+      "frames of the film strips, each with 8 samples from root to tip: luminance and gloss (128 means 1), opacity (255 means 1)");
 }
 
 void write_skin(Hdf5File& file, const SkinSurface& skin, bool deforms) {
