@@ -242,7 +242,7 @@ def scaling():
         "that `pelage report` fits to the experiment scaling."), markdown(
         ["divisor", "ratio"], [["32 layers", span((row["frame_over_half"] for row in rows), ".2f")],
                                ["16 layers", span((row["frame_over_quarter"] for row in rows), ".2f")]])
-    text = (ROOT / "results/tables/scaling/scaling.txt").read_text(encoding="utf-8")
+    text = (ROOT / "results/tables/scaling/frame-time-model.txt").read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if re.search(r"^(  per|\d+ cases|ms =|Most memory)", line)]
     yield None, "", "```\n" + "\n".join(lines) + "\n```\n"
     shares = by((row for row in table("profile/shells.csv") if row["kernel"] == "tile_shells"), "case")

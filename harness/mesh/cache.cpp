@@ -13,7 +13,7 @@ bool consistent(const Mesh& mesh) {
   return !mesh.hash.empty();  // the checksum of the file covers the hash and all that it was computed from
 }
 
-constexpr auto parts = [](const auto& store, auto& mesh) {
+constexpr auto mesh_parts = [](const auto& store, auto& mesh) {
   std::uint8_t periodic = mesh.periodic_uv;
   if (!(store(mesh.name) && store(mesh.hash) && store(mesh.position) && store(mesh.uv) && store(mesh.weld) &&
         store(mesh.triangle) && store(mesh.welded) && store(periodic) && store(mesh.length_per_uv) &&
@@ -26,11 +26,11 @@ constexpr auto parts = [](const auto& store, auto& mesh) {
 }  // namespace
 
 std::string encode(const Mesh& mesh) {
-  return packed(mesh_cache_title, parts, mesh);
+  return packed(mesh_cache_title, mesh_parts, mesh);
 }
 
 std::optional<Mesh> decode(std::string_view bytes) {
-  auto mesh = unpacked<Mesh>(bytes, mesh_cache_title, parts);
+  auto mesh = unpacked<Mesh>(bytes, mesh_cache_title, mesh_parts);
   return mesh && consistent(*mesh) ? std::move(mesh) : std::nullopt;
 }
 

@@ -11,12 +11,11 @@
 namespace pelage {
 namespace {
 
-constexpr std::uint32_t none = no_index;
 constexpr double far = std::numeric_limits<double>::max();
 
 struct Edge {
   std::uint32_t a, b;         // indices of the edge's end points, a < b
-  std::uint32_t left, right;  // the two faces at the edge; `right` is `none` if the edge lies on a border
+  std::uint32_t left, right;  // the two faces at the edge; `right` is `no_index` if the edge lies on a border
   double length;
 };
 
@@ -44,7 +43,7 @@ Graph make_graph(const Surface& surface) {
     if (second) {
       graph.edge.back().right = side.face;
     } else {
-      graph.edge.push_back({side.low, side.high, side.face, none,
+      graph.edge.push_back({side.low, side.high, side.face, no_index,
                             glm::distance(surface.point[side.low], surface.point[side.high])});
     }
     graph.of_face[side.face][side.corner] = std::uint32_t(graph.edge.size() - 1);
@@ -75,7 +74,7 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
   };
   std::vector<char> cut(graph.edge.size(), 1);
   std::vector<double> distance(surface.triangle.size(), far);
-  std::vector<std::uint32_t> via(surface.triangle.size(), none);
+  std::vector<std::uint32_t> via(surface.triangle.size(), no_index);
   Queue queue;
   std::uint32_t seed = 0;
   for (std::uint32_t f = 1; f < surface.triangle.size(); ++f)
@@ -87,13 +86,13 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
     if (d > distance[f]) continue;
     for (const std::uint32_t e : graph.of_face[f]) {
       const std::uint32_t next = graph.edge[e].left == f ? graph.edge[e].right : graph.edge[e].left;
-      if (next == none) continue;
+      if (next == no_index) continue;
       const double there = d + glm::distance(centroid(f), centroid(next));
       if (there < distance[next]) queue.push({distance[next] = there, next}), via[next] = e;
     }
   }
   for (const std::uint32_t e : via)
-    if (e != none) cut[e] = 0;
+    if (e != no_index) cut[e] = 0;
 
   std::vector<std::uint32_t> degree(surface.point.size(), 0), ends;
   for (std::uint32_t e = 0; e < graph.edge.size(); ++e)
@@ -122,8 +121,9 @@ struct Reach {
 
 // Computes the shortest paths along the edges from the sources to all points by Dijkstra's algorithm. Stops
 // when the shortest path to the point `until` is known.
-Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources, std::uint32_t until = none) {
-  Reach reach{std::vector<double>(graph.points(), far), std::vector<std::uint32_t>(graph.points(), none), 0};
+Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources, std::uint32_t until = no_index) {
+  Reach reach{std::vector<double>(graph.points(), far), std::vector<std::uint32_t>(graph.points(), no_index),
+              0};
   Queue queue;
   for (const std::uint32_t p : sources) queue.push({reach.distance[p] = 0, p});
   double most = -1;
@@ -171,7 +171,7 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
       continue;
     }
     const Reach reach = walk(graph, sources, p);
-    while (reach.via[p] != none) {
+    while (reach.via[p] != no_index) {
       const Edge& edge = graph.edge[reach.via[p]];
       cut[reach.via[p]] = 1;
       sources.push_back(p);
@@ -207,7 +207,7 @@ Disk cut_open(const Surface& surface, const CutPlan& plan) {
   };
   for (std::uint32_t e = 0; e < graph.edge.size(); ++e) {
     const Edge& edge = graph.edge[e];
-    if (cut[e] || edge.right == none) continue;
+    if (cut[e] || edge.right == no_index) continue;
     for (const std::uint32_t p : {edge.a, edge.b}) groups.join(corner(edge.left, p), corner(edge.right, p));
   }
   const std::vector<std::uint32_t> number = groups.numbers();

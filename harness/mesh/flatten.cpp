@@ -16,7 +16,6 @@ namespace {
 
 using Columns = LaplaceSolver::Columns;
 using Triplets = std::vector<Eigen::Triplet<double>>;
-constexpr std::uint32_t none = no_index;
 
 // A triangle in its own plane with the corners (0, 0), (base, 0) and (x, y). weight[k] is half the cotangent
 // of the angle opposite to side k, which goes from corner k to k + 1.
@@ -57,16 +56,16 @@ std::vector<Local> locals(const Surface& surface, const Disk& disk) {
 // empty vector if the border is not a single loop.
 std::vector<std::uint32_t> border_of(const Disk& disk) {
   const auto sides = directed_sides(disk.triangle);
-  std::vector<std::uint32_t> next(disk.point.size(), none);
+  std::vector<std::uint32_t> next(disk.point.size(), no_index);
   std::size_t count = 0;
-  std::uint32_t first = none;
+  std::uint32_t first = no_index;
   for (const auto& [p, q] : sides) {
     if (std::binary_search(sides.begin(), sides.end(), std::pair(q, p))) continue;
-    if (next[p] != none) return {};
+    if (next[p] != no_index) return {};
     next[p] = q, first = std::min(first, p), ++count;
   }
   std::vector<std::uint32_t> border;
-  for (std::uint32_t p = first; p != none && border.size() < count; p = next[p]) border.push_back(p);
+  for (std::uint32_t p = first; p != no_index && border.size() < count; p = next[p]) border.push_back(p);
   const bool one_loop = border.size() == count && count >= 3 && next[border.back()] == first;
   return one_loop ? border : std::vector<std::uint32_t>();
 }
@@ -96,10 +95,10 @@ void place_border(const Surface& surface, const Disk& disk, const std::vector<st
 bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vector<std::uint32_t>& border,
               Columns& x) {
   std::vector<std::uint32_t> number(disk.point.size(), 0);
-  for (const std::uint32_t p : border) number[p] = none;
+  for (const std::uint32_t p : border) number[p] = no_index;
   std::uint32_t unknowns = 0;
   for (std::uint32_t& n : number)
-    if (n != none) n = unknowns++;
+    if (n != no_index) n = unknowns++;
   if (unknowns == 0) return true;
   Triplets entries;
   entries.reserve(disk.triangle.size() * 6);
@@ -111,9 +110,9 @@ bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vect
                           q = disk.triangle[f][std::size_t((k + 1) % 3)];
       const double w = local[f].weight[k];
       for (const auto& [from, to] : {std::pair(p, q), std::pair(q, p)}) {
-        if (number[from] == none) continue;
+        if (number[from] == no_index) continue;
         diagonal[number[from]] += w;
-        if (number[to] == none)
+        if (number[to] == no_index)
           b.row(number[from]) += w * x.row(to);
         else
           entries.emplace_back(int(number[from]), int(number[to]), -w);
@@ -126,7 +125,7 @@ bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vect
   Triplets().swap(entries);
   if (!LaplaceSolver(matrix).solve(b, inner)) return false;
   for (std::size_t v = 0; v < number.size(); ++v)
-    if (number[v] != none) x.row(Eigen::Index(v)) = inner.row(number[v]);
+    if (number[v] != no_index) x.row(Eigen::Index(v)) = inner.row(number[v]);
   return true;
 }
 

@@ -36,7 +36,7 @@ struct Points {
 };
 
 constexpr std::string_view title = "pelage mesh frame\n";
-constexpr auto parts = [](const auto& store, auto& points) {
+constexpr auto point_parts = [](const auto& store, auto& points) {
   return store(points.position) && store(points.used) && store(points.faces);
 };
 
@@ -50,19 +50,19 @@ Points read_points(const fs::path& file) {
       for (const std::uint32_t i : polygon) points.used[i] = 1;
     }
     points.faces = hash.hex();
-    return packed(title, parts, points);
+    return packed(title, point_parts, points);
   };
   std::error_code none;
   const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;
   const Limits limits{(std::uint64_t(4) << 30) + 400 * bytes, std::chrono::seconds(60 + 10 * (bytes >> 20))};
-  auto points = unpacked<Points>(isolated(file.string(), limits, read, {}), title, parts);
+  auto points = unpacked<Points>(isolated(file.string(), limits, read, {}), title, point_parts);
   if (!points)
     throw std::runtime_error(fmt::format("{}: the reading process returned damaged data", file.string()));
   return std::move(*points);
 }
 
 /// An axis-aligned box.
-struct Box {
+struct Bounds {
   glm::dvec3 low{std::numeric_limits<double>::max()}, high{-std::numeric_limits<double>::max()};
   void add(glm::dvec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
 };
@@ -104,7 +104,7 @@ struct Placement {
 Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotation) {
   Placement place;
   place.turn = rotation_matrix(rotation);
-  Box file, prepared;
+  Bounds file, prepared;
   for (std::size_t i = 0; i < first.position.size(); ++i)
     if (first.used[i]) file.add(first.position[i]);
   for (const glm::vec3& p : mesh.position) prepared.add(glm::transpose(place.turn) * glm::dvec3(p));
@@ -115,37 +115,37 @@ Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotatio
 
 /// The points of the file that belong to a surface point: the nearest one, and the others that coincide with
 /// it.
-struct Source {
+struct Coincident {
   std::uint32_t nearest = 0;
   std::vector<std::uint32_t> others;
 };
 
-std::vector<Source> sources_of(const Mesh& mesh, const Points& first, const Placement& place,
-                               const fs::path& file) {
+std::vector<Coincident> coincident_of(const Mesh& mesh, const Points& first, const Placement& place,
+                                      const fs::path& file) {
   Cells cells(near);
   for (std::uint32_t i = 0; i < first.position.size(); ++i)
     if (first.used[i]) cells.add(place(first.position[i]), i);
-  std::vector<Source> sources(mesh.welded);
+  std::vector<Coincident> points(mesh.welded);
   std::vector<glm::dvec3> position(mesh.welded);
   for (std::size_t v = 0; v < mesh.position.size(); ++v) position[mesh.weld[v]] = mesh.position[v];
   for (std::uint32_t w = 0; w < mesh.welded; ++w) {
     double least = near;
     bool found = false;
-    Source& source = sources[w];
+    Coincident& point = points[w];
     cells.around(position[w], [&](std::uint32_t i) {
       const double distance = glm::distance(place(first.position[i]), position[w]);
       if (distance >= near) return;
-      source.others.push_back(i);
-      if (distance < least || !found) source.nearest = i, least = distance;
+      point.others.push_back(i);
+      if (distance < least || !found) point.nearest = i, least = distance;
       found = true;
     });
     if (!found)
       throw InputError(fmt::format(
           "mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its frames cannot be matched; give a mesh whose preparation changes no points (`pelage mesh` lists the changes)",
           file.string()));
-    std::erase(source.others, source.nearest);
+    std::erase(point.others, point.nearest);
   }
-  return sources;
+  return points;
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs:
                     count, mesh.welded, most_bytes / sizeof(glm::vec3)));
   const Points rest = read_points(first);
   const Placement place = placement_of(mesh, rest, rotation);
-  const std::vector<Source> sources = sources_of(mesh, rest, place, first);
+  const std::vector<Coincident> coincident = coincident_of(mesh, rest, place, first);
   std::vector<std::vector<glm::vec3>> frames(static_cast<std::size_t>(count));
   for (int frame = 0; frame < count; ++frame) {
     const fs::path file = frame_file(first, frame);
@@ -183,13 +183,13 @@ std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs:
           "mesh.frames: {}: the points or faces are not those of {}; all frames need the same points and faces in the same order",
           file.string(), first.string()));
     std::vector<glm::vec3>& position = frames[std::size_t(frame)];
-    for (const Source& source : sources) {
-      const glm::dvec3 here = place(points.position[source.nearest]);
-      for (const std::uint32_t other : source.others)
+    for (const Coincident& point : coincident) {
+      const glm::dvec3 here = place(points.position[point.nearest]);
+      for (const std::uint32_t other : point.others)
         if (const glm::dvec3 there = place(points.position[other]); glm::distance(here, there) > together)
           throw InputError(fmt::format(
               "mesh.frames: {}: the points {} and {} coincide in the first frame and part here; give them different positions in the first frame",
-              file.string(), std::min(source.nearest, other) + 1, std::max(source.nearest, other) + 1));
+              file.string(), std::min(point.nearest, other) + 1, std::max(point.nearest, other) + 1));
       position.emplace_back(here);
     }
   }

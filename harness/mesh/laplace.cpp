@@ -15,7 +15,7 @@ constexpr int most_iterations = 300;
 
 using Matrix = LaplaceSolver::Matrix;
 using Columns = LaplaceSolver::Columns;
-constexpr int none = -1;
+constexpr int no_group = -1;
 
 bool joined(const Eigen::VectorXd& diagonal, Eigen::Index i, Eigen::Index j, double value) {
   return j != i && value * value > strong * strong * diagonal[i] * diagonal[j];
@@ -24,12 +24,12 @@ bool joined(const Eigen::VectorXd& diagonal, Eigen::Index i, Eigen::Index j, dou
 // Partitions the unknowns into groups of strongly connected neighbours. Returns the group of each unknown;
 // `count` receives the number of groups.
 std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, int& count) {
-  std::vector<int> group(std::size_t(a.rows()), none);
+  std::vector<int> group(std::size_t(a.rows()), no_group);
   count = 0;
   for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    bool free = group[std::size_t(i)] == none;
+    bool free = group[std::size_t(i)] == no_group;
     for (Matrix::InnerIterator at(a, i); free && at; ++at)
-      free = !joined(diagonal, i, at.col(), at.value()) || group[std::size_t(at.col())] == none;
+      free = !joined(diagonal, i, at.col(), at.value()) || group[std::size_t(at.col())] == no_group;
     if (!free) continue;
     group[std::size_t(i)] = count;
     for (Matrix::InnerIterator at(a, i); at; ++at)
@@ -38,19 +38,19 @@ std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, in
   }
   const std::vector<int> first = group;
   for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    if (group[std::size_t(i)] != none) continue;
+    if (group[std::size_t(i)] != no_group) continue;
     double most = 0;
     for (Matrix::InnerIterator at(a, i); at; ++at) {
-      if (first[std::size_t(at.col())] == none || !joined(diagonal, i, at.col(), at.value())) continue;
+      if (first[std::size_t(at.col())] == no_group || !joined(diagonal, i, at.col(), at.value())) continue;
       if (std::abs(at.value()) > most)
         most = std::abs(at.value()), group[std::size_t(i)] = first[std::size_t(at.col())];
     }
   }
   for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    if (group[std::size_t(i)] != none) continue;
+    if (group[std::size_t(i)] != no_group) continue;
     group[std::size_t(i)] = count;
     for (Matrix::InnerIterator at(a, i); at; ++at)
-      if (group[std::size_t(at.col())] == none && joined(diagonal, i, at.col(), at.value()))
+      if (group[std::size_t(at.col())] == no_group && joined(diagonal, i, at.col(), at.value()))
         group[std::size_t(at.col())] = count;
     ++count;
   }

@@ -10,12 +10,12 @@
 namespace pelage {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Cartesian = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<Cartesian::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Cartesian, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Cartesian, Primitive>>;
 
-Kernel::Point_3 point(glm::vec3 p) {
+Cartesian::Point_3 point(glm::vec3 p) {
   return {double(p.x), double(p.y), double(p.z)};
 }
 
@@ -26,7 +26,7 @@ struct SurfaceSearch::State {
   Triangles triangles;
   Tree tree;
 
-  SurfacePlace place(Triangles::const_iterator at, const Kernel::Point_3& q) const {
+  SurfacePlace place(Triangles::const_iterator at, const Cartesian::Point_3& q) const {
     SurfacePlace place;
     place.triangle = std::uint32_t(at - triangles.begin());
     const glm::uvec3 t = mesh->triangle[place.triangle];
@@ -70,14 +70,14 @@ SurfacePlace SurfaceSearch::closest(glm::vec3 to) const {
 }
 
 std::optional<SurfacePlace> SurfaceSearch::ray(glm::vec3 origin, glm::vec3 direction) const {
-  const Kernel::Ray_3 ray(point(origin),
-                          Kernel::Vector_3(double(direction.x), double(direction.y), double(direction.z)));
+  const Cartesian::Ray_3 ray(
+      point(origin), Cartesian::Vector_3(double(direction.x), double(direction.y), double(direction.z)));
   const auto hit = state_->tree.first_intersection(ray);
   if (!hit) return {};
   // The intersection is a segment if the ray lies in the plane of the triangle; the ray enters the triangle
   // at the source of the segment.
-  if (const auto* q = boost::get<Kernel::Point_3>(&hit->first)) return state_->place(hit->second, *q);
-  return state_->place(hit->second, boost::get<Kernel::Segment_3>(&hit->first)->source());
+  if (const auto* q = boost::get<Cartesian::Point_3>(&hit->first)) return state_->place(hit->second, *q);
+  return state_->place(hit->second, boost::get<Cartesian::Segment_3>(&hit->first)->source());
 }
 
 }  // namespace pelage

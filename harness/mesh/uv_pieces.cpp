@@ -16,7 +16,6 @@ namespace pelage {
 namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-constexpr std::uint32_t none = 0xffffffffu;  // no colour
 
 /// Reasons for which triangles are cut out. Triangles of different reasons are in different pieces.
 enum : char { stays, overlaps, shrunk, enlarged };
@@ -39,9 +38,9 @@ std::vector<std::vector<std::uint32_t>> lists_of(const Pairs& pairs, const std::
 class Colours {
  public:
   Colours(const Neighbours& next, const std::vector<std::vector<std::uint32_t>>& overlap)
-      : next_(next), overlap_(overlap), colour_(overlap.size(), none), queued_(overlap.size(), 0) {}
+      : next_(next), overlap_(overlap), colour_(overlap.size(), no_index), queued_(overlap.size(), 0) {}
 
-  bool has(std::uint32_t f) const { return colour_[f] != none; }
+  bool has(std::uint32_t f) const { return colour_[f] != no_index; }
   std::uint32_t of(std::uint32_t f) const { return colour_[f]; }
 
   /// Colours all triangles that are connected with `seed` by overlaps and by neighbours that overlap others.

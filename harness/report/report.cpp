@@ -82,13 +82,13 @@ void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;
   report.scaling = scaling_text(cells);
-  report.files.emplace_back("scaling.csv", scaling_csv(cells));
-  if (draw(report, folder, "scaling", "scaling", scaling_csv(cells),
+  report.files.emplace_back("frame-time-model.csv", scaling_csv(cells));
+  if (draw(report, folder, "scaling", "frame-time-model", scaling_csv(cells),
            "Frame time against layers, pixels and triangles")) {
-    std::ifstream fit(folder / "plots/scaling.txt");
+    std::ifstream fit(folder / "plots/frame-time-model.txt");
     report.scaling += std::string(std::istreambuf_iterator<char>(fit), {});
   }
-  write_text_atomically(folder / "tables" / "scaling.txt", report.scaling);
+  write_text_atomically(folder / "tables" / "frame-time-model.txt", report.scaling);
 }
 
 /// Clears Cell::image if the file is not the picture that a row recorded, and adds the file to `left_out`.
