@@ -151,7 +151,7 @@ std::map<std::string, double> least_values(const fs::path& file, const toml::tab
   TomlTable in(file, table, "require");
   std::map<std::string, double> result;
   for (const auto& [metric, node] : table)
-    if (!node.is_table()) result[std::string(metric.str())] = in.number(metric.str()).value_or(0);
+    if (!node.is_table()) result[std::string(metric.str())] = *in.number(metric.str());
   return result;
 }
 

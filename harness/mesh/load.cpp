@@ -224,7 +224,9 @@ void need_source(const Source& source) {
 std::string key_of(const Model& model, const Source& source, const MeshOptions& options) {
   Hash hash;
   hash.number(recipe)
-      .text(model.source)
+      .text(source.kind != "file"
+                ? model.source
+                : "file:" + std::filesystem::absolute(source.item).lexically_normal().string())
       .number(model.faces.value_or(0))
       .number(model.wrap)
       .number(options.keep_uv);
@@ -241,9 +243,8 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
   return hash.hex();
 }
 
-// Returns limits of time and memory for the process that prepares the mesh. The limits are several times the
-// time and memory that the models of experiments/models.toml need on a slow machine, so that they stop
-// endless computations, but not the preparation of these models.
+// Returns limits for the process that prepares the mesh, so that it ends: several times the time and memory
+// that the models of experiments/models.toml need on a slow machine.
 Limits limits_for(const Model& model, const Source& source) {
   const std::uint64_t bytes = source.kind == "procedural" ? 0 : std::filesystem::file_size(source.file());
   const std::uint64_t seconds = 300 + 60 * (bytes >> 20) + model.faces.value_or(0) / 200;
