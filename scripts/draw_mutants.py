@@ -21,7 +21,7 @@ from mutants import ROOT, Mistake, build, planted, run, take_signals
 
 # The suites of each folder: its own first, then those of the folders that use it.
 TESTS = {
-    "record": ["record", "experiment", "measure", "claims", "report", "cli"],
+    "record": ["record", "experiment", "measure", "claims", "report", "planted", "cli"],
     "claims": ["claims", "report", "cli"],
     "report": ["report", "page", "cli"],
     "measure": ["measure", "record", "subjects", "report", "cli"],

@@ -29,7 +29,7 @@ std::string interval_text(double value, const Interval& interval) {
 
 /// Returns the paper and the section, for instance "silva2010-wet-fur, section 5, Table 1".
 std::string source_of(const Claim& claim) {
-  const bool number = !claim.section.empty() && claim.section[0] >= '0' && claim.section[0] <= '9';
+  const bool number = claim.section.find_first_of("0123456789") == 0;
   const std::string section = number ? "section " + claim.section : claim.section;
   if (claim.paper.empty() || section.empty()) return claim.paper + section;
   return fmt::format("{}, {}", claim.paper, section);

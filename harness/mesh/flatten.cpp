@@ -94,7 +94,7 @@ void place_border(const Surface& surface, const Disk& disk, const std::vector<st
 // solver fails.
 bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vector<std::uint32_t>& border,
               Columns& x) {
-  std::vector<std::uint32_t> number(disk.point.size(), 0);
+  std::vector<std::uint32_t> number(disk.point.size());
   for (const std::uint32_t p : border) number[p] = no_index;
   std::uint32_t unknowns = 0;
   for (std::uint32_t& n : number)
