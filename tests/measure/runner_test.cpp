@@ -44,7 +44,7 @@ TEST_F(Runner, AnOkRowHoldsItsSamplesAndSaysWhereItComesFrom) {
   EXPECT_EQ(row.samples.at("frame").wall_ms.size(), 6u);
   EXPECT_EQ(row.provenance.at("host"), "h");
   EXPECT_TRUE(row.provenance.contains("utc"));
-  EXPECT_TRUE(row.provenance.contains("load"));
+  EXPECT_GE(row.provenance.value("load", -1.0), 0);
   EXPECT_TRUE(row.provenance.contains("load_after"));
   EXPECT_EQ(row.image_hash.size(), 16u);
 }

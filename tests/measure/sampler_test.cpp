@@ -23,7 +23,7 @@ struct Clock {
 
 TEST(Sampler, WarmsUpByTimeAndKeepsTheFirstLaunchApart) {
   Clock clock{.length_ms = [](int i) { return i == 0 ? 900.0 : i < 6 ? 50.0 : 10.0; }};
-  const Sampling s = clock.run({0.25, 6, 100, 0.01, 10});
+  const Sampling s = clock.run({0.25, 6, 100, 0, 10});
   EXPECT_EQ(s.first_launch_ms, 900);
   // The warm-up of 0.25 s consists of the five frames of 50 ms. None of them is a sample.
   EXPECT_EQ(s.samples.at("frame").wall_ms, std::vector<double>(6, 10.0));
