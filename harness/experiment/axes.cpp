@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
 #include "harness/base/numbers.hpp"
 #include "harness/error.hpp"
@@ -31,20 +30,6 @@ std::vector<std::string> varied_by(const std::string& axis) {
   return {};
 }
 
-void add_values(const std::vector<Axis>& axes, const std::string& key, std::set<std::string>& values) {
-  for (const Axis& axis : axes)
-    if (axis.key == key) values.insert(axis.values.begin(), axis.values.end());
-}
-
-/// Returns all values of the axis in the experiment file: in [axes], in presets, and names of tables.
-std::set<std::string> values_in_file(const Experiment& experiment, const std::string& key) {
-  std::set<std::string> values;
-  add_values(experiment.axes, key, values);
-  for (const auto& [name, preset] : experiment.presets) add_values(preset.axes, key, values);
-  for (const auto& [value, settings] : tables_of(experiment, key)) values.insert(value);
-  return values;
-}
-
 /// Checks an axis whose values are names of tables: "reading" or a name of the author's choice.
 void check_named(const Experiment& experiment, const Axis& axis) {
   if (tables_of(experiment, axis.key).empty()) {
@@ -58,7 +43,8 @@ void check_named(const Experiment& experiment, const Axis& axis) {
       throw InputError(fmt::format("{}; if you chose this name for an axis, {}", error.what(), needed));
     }
   }
-  const std::set<std::string> known = values_in_file(experiment, axis.key);
+  std::set<std::string> known = axis_values(experiment, axis.key);
+  for (const auto& [value, settings] : tables_of(experiment, axis.key)) known.insert(value);
   for (const std::string& value : axis.values)
     if (!known.contains(value))
       throw InputError(fmt::format("{}: axis {} has no value '{}'; the file has the values {}",
@@ -87,9 +73,24 @@ bool is_scene_key(const std::string& key) {
   return known.contains(key);
 }
 
+bool is_named(const std::string& axis) {
+  return axis != "variant" && axis != "layers" && axis != "size" && !is_scene_key(axis);
+}
+
 std::string canonical(const std::string& value) {
   const std::optional<double> number = double_of(value);
   return number ? fmt::format("{}", *number) : value;
+}
+
+std::set<std::string> axis_values(const Experiment& experiment, const std::string& key) {
+  std::set<std::string> values;
+  const auto add = [&](const std::vector<Axis>& axes) {
+    for (const Axis& axis : axes)
+      if (axis.key == key) values.insert(axis.values.begin(), axis.values.end());
+  };
+  add(experiment.axes);
+  for (const auto& [name, preset] : experiment.presets) add(preset.axes);
+  return values;
 }
 
 bool table_sets(const Experiment& experiment, const std::string& axis, const std::string& value,
@@ -107,8 +108,7 @@ void check_axes(const Experiment& experiment, const Preset& preset, const Overri
     return std::any_of(list.begin(), list.end(), [&](const Axis& axis) { return axis.key == key; });
   };
   for (const Axis& axis : axes) {
-    if (axis.key != "variant" && axis.key != "layers" && axis.key != "size" && !is_scene_key(axis.key))
-      check_named(experiment, axis);
+    if (is_named(axis.key)) check_named(experiment, axis);
     for (const Axis& other : axes)
       if (other.key != axis.key && !in(overrides.axes, other.key) &&
           (in(experiment.axes, other.key) || in(preset.axes, other.key)))

@@ -1,5 +1,6 @@
 // Checks the axes of an experiment before the list of its cases is made.
 #pragma once
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,14 @@ namespace pelage {
 
 bool is_scene_key(const std::string& key);
 
+/// True for "reading" and for an axis whose name the author of the experiment file chose.
+bool is_named(const std::string& axis);
+
 /// Returns the same text for values that are equal as numbers: "0.1" for "0.1" and for "0.10".
 std::string canonical(const std::string& value);
+
+/// Returns all values of the axis in the tables [axes] of the experiment file and of its presets.
+std::set<std::string> axis_values(const Experiment& experiment, const std::string& key);
 
 bool table_sets(const Experiment& experiment, const std::string& axis, const std::string& value,
                 const std::string& key);

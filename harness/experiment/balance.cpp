@@ -62,11 +62,8 @@ std::vector<int> deal(const std::vector<std::optional<double>>& seconds, int cou
     sum += time.value_or(0);
     known += time.has_value();
   }
-  if (known == 0) {
-    for (std::size_t i = 0; i < shards.size(); ++i) shards[i] = int(i % std::size_t(count));
-    return shards;
-  }
-  const auto time_of = [&](std::size_t i) { return seconds[i].value_or(sum / known); };
+  const double mean = known ? sum / known : 1.0;  // equal times are dealt in turn
+  const auto time_of = [&](std::size_t i) { return seconds[i].value_or(mean); };
   std::vector<std::size_t> order(seconds.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),

@@ -160,14 +160,13 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
       if (const auto at = result.axes.find(key); at != result.axes.end())
         if (const auto here = values.find(at->second); here != values.end())
           for (const auto& [metric, least] : here->second) result.require[metric] = least;
-  }
-  if (result.overrides.empty())
     for (const Published& published : experiment.published)
       if (std::all_of(published.at.begin(), published.at.end(), [&](const auto& key_value) {
             const auto found = result.axes.find(key_value.first);
             return found != result.axes.end() && canonical(found->second) == canonical(key_value.second);
           }))
         result.published = published.figure;
+  }
   return result;
 }
 
@@ -190,16 +189,12 @@ fs::path example_scene(const std::string& name) {
 
 Case control_case(const Experiment& experiment, const Case& which) {
   std::vector<Axis> axes;
-  for (const Axis& axis : experiment.axes) {
-    const bool named = axis.key != "variant" && axis.key != "layers" && axis.key != "size" &&
-                       axis.key != "model" && !is_scene_key(axis.key);
-    const auto own = which.axes.find(axis.key);
-    axes.push_back({axis.key, {named || own == which.axes.end() ? axis.values.front() : own->second}});
-  }
+  for (const Axis& axis : experiment.axes)
+    axes.push_back({axis.key, {is_named(axis.key) ? axis.values.front() : which.axes.at(axis.key)}});
   for (const auto& [key, value] : which.axes)
     if (std::none_of(axes.begin(), axes.end(), [&k = key](const Axis& axis) { return axis.key == k; }))
       axes.push_back({key, {value}});
-  Case result = make_case(experiment, axes, std::vector<std::size_t>(axes.size(), 0), {}, which.overrides);
+  Case result = make_case(experiment, axes, std::vector<std::size_t>(axes.size()), {}, which.overrides);
   result.set = which.set;
   // --model sets the key of the case, not an axis.
   if (const auto model = which.settings.find("model"); model != which.settings.end())
@@ -273,7 +268,7 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
   const std::map<std::string, std::string> recorded = recorded_of(overrides);
   check_recorded(experiment, recorded, count);
   std::vector<Case> result;
-  std::vector<std::size_t> choice(axes.size(), 0);
+  std::vector<std::size_t> choice(axes.size());
   for (bool more = true; more;) {
     result.push_back(make_case(experiment, axes, choice, overrides, recorded));
     more = false;

@@ -68,8 +68,7 @@ inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapp
 
 struct Experiment {
   std::string name, title, paper, table, hardware;
-  std::string
-      collection;  ///< name with which `pelage run` runs all experiments of a collection; may be empty
+  std::string collection;  ///< name with which `pelage run` runs the whole collection; may be empty
   std::filesystem::path file;
   std::filesystem::path scene_file;  ///< value of the key `file` in the table [scene]; may be empty
   Scene base;                        ///< the scene in `scene_file`; if that is empty, the default scene
@@ -161,8 +160,7 @@ class Filter {
  public:
   /// Throws InputError if the expression is invalid, or if its compiled form needs more than 8 MiB.
   explicit Filter(const std::string& expression);
-  bool finds(
-      const std::string& name) const;  ///< whether a part of `name` matches; true for the empty expression
+  bool finds(const std::string& name) const;  ///< whether a part of `name` matches
 
  private:
   std::shared_ptr<const re2::RE2> expression_;

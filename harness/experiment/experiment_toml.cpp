@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "harness/base/numbers.hpp"
 #include "harness/base/toml_table.hpp"
@@ -19,11 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path and the text of an experiment file.
+/// The path and the lines of an experiment file.
 struct Source {
   fs::path file;
-  std::string text;
-  std::vector<std::size_t> lines{0};  ///< offset of the first byte of each line in `text`
+  std::vector<std::string> lines;
 };
 
 /// Top-level keys of experiment files. An axis must not have one of these names.
@@ -41,10 +41,9 @@ const std::set<std::string, std::less<>> columns{"case",       "clock",   "conte
 std::string as_written(const toml::node& node, const Source& source) {
   const toml::source_region& at = node.source();
   if (!node.is_number()) return plain(node);
-  const std::size_t start = source.lines.at(at.begin.line - 1);
   const std::string written =
-      source.text.substr(start + at.begin.column - 1, at.end.column - at.begin.column);
-  // toml++ counts columns in characters, but `text` is indexed in bytes. If a character of several bytes
+      source.lines.at(at.begin.line - 1).substr(at.begin.column - 1, at.end.column - at.begin.column);
+  // toml++ counts columns in characters, but `lines` are indexed in bytes. If a character of several bytes
   // precedes the number in its line, `written` is therefore not the number. The following test detects this.
   const std::optional<double> number = double_of(written);
   return number && number == node.value<double>() ? written : plain(node);
@@ -55,11 +54,10 @@ std::string as_written(const toml::node& node, const Source& source) {
 void flatten(const fs::path& file, const toml::table& table, const std::string& prefix,
              bool (*other)(std::string_view), std::vector<Setting>& into) {
   for (const auto& [key, node] : table) {
-    const std::string name =
-        prefix.empty() ? std::string(key.str()) : fmt::format("{}.{}", prefix, key.str());
+    const std::string name = prefix + std::string(key.str());
     if (other(name)) continue;
     if (const auto* inner = node.as_table()) {
-      flatten(file, *inner, name, other, into);
+      flatten(file, *inner, name + ".", other, into);
       continue;
     }
     into.emplace_back(name, literal(node));
@@ -105,9 +103,7 @@ std::vector<Axis> read_axes(const Source& source, const toml::table& table) {
   find_axes(source, table, "", found);
   // toml++ sorts the keys of a table by name. This sort restores the order of the keys in the file from their
   // line and column numbers.
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
-  });
+  std::ranges::sort(found, {}, [](const auto& one) { return std::pair(one.first.line, one.first.column); });
   std::vector<Axis> axes;
   axes.reserve(found.size());
   for (auto& [position, axis] : found) axes.push_back(std::move(axis));
@@ -175,18 +171,9 @@ void read_require(const fs::path& file, const toml::table& table, Experiment& in
 /// Throws InputError if a table [require.AXIS.VALUE] names an axis or a value that the experiment does not
 /// have. table: the whole file.
 void check_require(const fs::path& file, const toml::table& table, const Experiment& experiment) {
-  const auto known = [&](const std::string& axis, const std::string& value) {
-    const auto has = [&](const std::vector<Axis>& axes) {
-      return std::any_of(axes.begin(), axes.end(), [&](const Axis& one) {
-        return one.key == axis && std::find(one.values.begin(), one.values.end(), value) != one.values.end();
-      });
-    };
-    return has(experiment.axes) || std::any_of(experiment.presets.begin(), experiment.presets.end(),
-                                               [&](const auto& preset) { return has(preset.second.axes); });
-  };
   for (const auto& [axis, values] : experiment.require_at)
     for (const auto& [value, least] : values)
-      if (!known(axis, value))
+      if (!axis_values(experiment, axis).contains(value))
         refuse(file, table.get("require"),
                fmt::format("require.{}.{}: no axis has this name and value", axis, value));
 }
@@ -228,10 +215,9 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
     const auto* settings = node.as_table();
     if (!settings) refuse(file, &node, fmt::format("{}.{} must be a table of scene keys", axis, value.str()));
     std::vector<Setting>& list = into.at[axis][std::string(value.str())];
-    for (const auto& [key, inner] : *settings) {
+    for (const auto& [key, inner] : *settings)
       if (axis == "variant" && says_how(key.str()))
         into.variants[std::string(value.str())][std::string(key.str())] = plain(inner);
-    }
     const auto none = [](std::string_view) { return false; };
     flatten(file, *settings, {}, axis == "variant" ? says_how : none, list);
   }
@@ -257,13 +243,7 @@ void read_scene_table(const fs::path& file, const toml::table& table, Experiment
 /// is probably misspelled.
 void read_tables_of_own_axis(const fs::path& file, const std::string& axis, const toml::node& node,
                              Experiment& into) {
-  std::set<std::string> values;
-  const auto add = [&](const std::vector<Axis>& axes) {
-    for (const Axis& one : axes)
-      if (one.key == axis) values.insert(one.values.begin(), one.values.end());
-  };
-  add(into.axes);
-  for (const auto& [name, preset] : into.presets) add(preset.axes);
+  const std::set<std::string> values = axis_values(into, axis);
   if (values.empty())
     refuse(
         file, &node,
@@ -307,10 +287,11 @@ Metric published_figure(const std::string& text, const std::string& unit) {
 }
 
 Experiment read_experiment(const fs::path& file) {
-  Source source{file, toml_text_of(file)};
-  for (std::size_t i = 0; i < source.text.size(); ++i)
-    if (source.text[i] == '\n') source.lines.push_back(i + 1);
-  const toml::table table = parse_toml(source.text, file.string());
+  const std::string text = toml_text_of(file);
+  const toml::table table = parse_toml(text, file.string());
+  Source source{file, {}};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) source.lines.push_back(line);
   if (!table.contains("name") && !table.contains("axes"))
     throw InputError(fmt::format(
         "{}: is not an experiment, because it has neither a name nor axes. If it is a scene, write an experiment that takes it: [scene] file = \"{}\" (docs/extending.md)",

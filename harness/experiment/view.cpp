@@ -21,7 +21,6 @@ nlohmann::json to_json(const View& view) {
 
 View view_from_json(const nlohmann::json& json) {
   View view;
-  if (!json.is_object()) return view;
   for (const auto& [name, member] : view_lists)
     if (const auto found = json.find(name); found != json.end() && found->is_array())
       for (const auto& item : *found)
