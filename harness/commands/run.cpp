@@ -45,12 +45,12 @@ struct Sweep {
 /// that earlier rows recorded for the cases of this shard and for all cases.
 void take_shard(Sweep& sweep, const RunOptions& options) {
   sweep.all_cases = sweep.cases.size();
-  if (options.shard.empty()) return;
-  const Shard shard = options.shard_or_all();
+  const std::optional<Shard> shard = options.own_shard();
+  if (!shard) return;
   std::vector<std::optional<double>> seconds(sweep.cases.size());
   if (!options.balance.empty())
     seconds = earlier_seconds(sweep.experiment.name, sweep.cases, read_results({options.balance}));
-  const std::vector<int> shards = deal(seconds, shard.count);
+  const std::vector<int> shards = deal(seconds, shard->count);
   sweep.deal = hash_of_deal(sweep.cases, shards);
   std::vector<Case> own;
   double own_s = 0, all_s = 0;
@@ -58,7 +58,7 @@ void take_shard(Sweep& sweep, const RunOptions& options) {
   for (std::size_t i = 0; i < shards.size(); ++i) {
     all_s += seconds[i].value_or(0);
     unknown += !seconds[i];
-    if (shards[i] != shard.index) continue;
+    if (shards[i] != shard->index) continue;
     own.push_back(sweep.cases[i]);
     own_s += seconds[i].value_or(0);
   }
@@ -185,7 +185,7 @@ std::string told(const Row& row) {
 RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::Device& device,
                      const std::string& device_file, bool several, const fs::path& folder, double budget_s,
                      std::uint64_t seed, const std::map<std::string, int>& tuning) {
-  const Shard shard = options.shard_or_all();
+  const std::optional<Shard> shard = options.own_shard();
   RunPlan plan;
   plan.run_id = fmt::format("{}-{}", utc_stamp(), getpid());
   plan.experiment = sweep.experiment.name;
@@ -208,8 +208,8 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     plan.provenance["host"] = options.host;
   }
   // pelage merge reads the following entries to find out which shards and cases are missing.
-  if (!options.shard.empty()) {
-    plan.provenance["shard"] = fmt::format("{}/{}", shard.index, shard.count);
+  if (shard) {
+    plan.provenance["shard"] = fmt::format("{}/{}", shard->index, shard->count);
     plan.provenance["shard_deal"] = sweep.deal;
   }
   plan.provenance["shard_cases"] = plan.cases.size();
@@ -228,7 +228,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   const fs::path file =
       place / fmt::format("{}@{}{}.jsonl", device_file,
                           file_name_of(plan.provenance.at("host").get<std::string>()),
-                          options.shard.empty() ? "" : fmt::format(".{}-of-{}", shard.index, shard.count));
+                          shard ? fmt::format(".{}-of-{}", shard->index, shard->count) : "");
   const bool resume = !options.resume.empty();
   Journal journal(file, resume ? Journal::Mode::resume : Journal::Mode::fresh);
   refuse_other_run(journal, plan, resume);

@@ -63,8 +63,8 @@ Overrides RunOptions::overrides() const {
   return result;
 }
 
-Shard RunOptions::shard_or_all() const {
-  return shard.empty() ? Shard{} : shard_from_text(shard);
+std::optional<Shard> RunOptions::own_shard() const {
+  return shard.empty() ? std::nullopt : std::optional(shard_from_text(shard));
 }
 
 fs::path RunOptions::folder() const {
@@ -146,7 +146,7 @@ RunOptions checked(RunOptions options) {
     throw InputError(fmt::format("--resume {}: no such folder", options.resume));
   if (options.tuning != "defaults" && !fs::is_regular_file(options.tuning))
     throw InputError(fmt::format("--tuning {}: no such file", options.tuning));
-  options.shard_or_all();
+  options.own_shard();
   if (!options.balance.empty() && options.shard.empty())
     throw InputError("--balance divides the cases among shards; give also --shard i/n, such as --shard 0/4");
   options.overrides();

@@ -24,10 +24,10 @@ struct RunOptions {
   bool dry_run = false, anonymous = false;
   std::vector<std::string> argv;  ///< command line of this process, beginning with the program's name
 
-  Overrides overrides() const;  ///< throws InputError for a malformed key=value
-  Shard shard_or_all() const;
-  std::filesystem::path folder() const;  ///< value of --resume or -o; otherwise the path of a new folder,
-                                         ///< named after the time and the host
+  Overrides overrides() const;             ///< throws InputError for a malformed key=value
+  std::optional<Shard> own_shard() const;  ///< nothing without --shard
+  std::filesystem::path folder() const;    ///< value of --resume or -o; otherwise the path of a new folder,
+                                           ///< named after the time and the host
 };
 
 /// Declares all options of pelage run.

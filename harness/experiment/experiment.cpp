@@ -330,7 +330,7 @@ std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex) {
 }
 
 Shard shard_from_text(const std::string& text) {
-  Shard shard;
+  Shard shard{};
   if (RE2::FullMatch(text, "([0-9]{1,6})/([0-9]{1,6})", &shard.index, &shard.count) &&
       shard.index < shard.count)
     return shard;

@@ -171,7 +171,7 @@ class Filter {
 std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex);
 
 struct Shard {
-  int index = 0, count = 1;
+  int index, count;
 };
 /// Reads "i/n" with 0 <= i < n: shard (part of a run) i of n. Throws InputError for other texts.
 Shard shard_from_text(const std::string& text);
