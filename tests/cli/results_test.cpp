@@ -151,10 +151,10 @@ TEST_F(Results, AxesAreLimitedAndChecked) {
       {"--order-seed -1", "the seed -1 is negative"},
       {"--axis dynamics.wind.seed=$(seq -s, 1 1000) --axis wetness.seed=$(seq -s, 1 1000)",
        "2000000 combinations of values; the limit is 100000 cases"},
-      {"--axis fur.seed=$(seq -s, 1 1000) --axis wetness.seed=$(seq -s, 1 50)",
-       "each of the 100000 cases records the values"},
-      {"--model $(printf '%0240d' 0).obj",
-       "case 0000000000000000000000000000000000000000... has 250 characters; the limit is 200"}};
+      {"--axis curl.turns=$(seq -s, 1 1000) --axis wetness.seed=$(seq -s, 1 50)",
+       "each of the 100000 cases records the values of --set and --axis, 405 MB in total"},
+      {"--model m$(printf '%0239d' 0).obj",
+       "case m000000000000000000000000000000000000000... has 250 characters; the limit is 200"}};
   for (const auto& [options, message] : refused)
     expect_refused(pelage(std::string("run own.toml --dry-run ") + options), message);
 }

@@ -71,12 +71,13 @@ TEST(Deal, EveryCaseIsInOneShardAndTheLoadsAreBounded) {
 
 TEST(CaseSeconds, AddsPreparationSamplingAndChecks) {
   EXPECT_EQ(case_seconds(row_of("a", 1, 2, 4)), 7);
+  EXPECT_EQ(case_seconds(row_of("a", -1, 2, 4)), 6);  // no time is negative; a user may have edited the row
   Row old = row_of("a", 1, 2, 4);
-  old.provenance.erase("sampling_s");
+  old.provenance.clear();
   old.first_launch_ms = 500;
   old.samples["frame"].wall_ms = {100, 200};
   old.samples["raster"].event_ms = {90, 190};
-  EXPECT_DOUBLE_EQ(case_seconds(old).value(), 5.8);
+  EXPECT_DOUBLE_EQ(case_seconds(old).value(), 0.8);
   old.status = Status::error;
   EXPECT_FALSE(case_seconds(old).has_value());
 }
@@ -99,7 +100,7 @@ TEST(Deal, ItsHashDependsOnCasesAndShards) {
   cases[0].name = "a";
   cases[1].name = "b";
   const std::string hash = hash_of_deal(cases, {0, 1});
-  EXPECT_EQ(hash, hash_of_deal(cases, {0, 1}));
+  EXPECT_EQ(hash, "6825bfff41587195");  // --resume compares it with that of rows of earlier versions
   EXPECT_NE(hash, hash_of_deal(cases, {1, 0}));
   cases[1].name = "c";
   EXPECT_NE(hash, hash_of_deal(cases, {0, 1}));

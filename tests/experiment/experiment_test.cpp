@@ -133,6 +133,7 @@ TEST(Experiment, PublishedFiguresAndTheirRelations) {
   EXPECT_EQ(*published_figure("2.5", "ms").low, 2.45);
   EXPECT_EQ(published_figure("~ 30", "fps").relation, "about");
   EXPECT_EQ(published_figure("20..30", "fps").value, 25);
+  EXPECT_EQ(published_figure("20..20", "fps").value, 20);
   for (const std::string text : {"", "fast", "-3", "> 4", "1e3", "1 2", "30..20"})
     EXPECT_NE(refusal([&] { published_figure(text, "fps"); }), "accepted") << text;
 }
@@ -147,6 +148,9 @@ TEST(Experiment, BadFilesAreRefusedWithTheirLine) {
                          {good + "precision = nan\n", "precision must be"},
                          {good + "precision = 2\n", "precision = 2 is not between 0 and 1"},
                          {good + "limit_s = \"1\"\n", "limit_s must be"},
+                         {good + "limit_s = 86401\n", "limit_s = 86401 is not between 0 and 86400"},
+                         {good + "warm_up_s = 3601\n", "warm_up_s = 3601 is not between 0 and 3600"},
+                         {good + "[published]\nkeys=[\"model\"]\n", "[published] must have keys"},
                          {"name = \"../e\"\n[axes]\nmodel = [\"a\"]\n[preset.quick]\n", "name must"},
                          {"name = \"e\"\n[axes]\nmodel = \"a\"\n[preset.quick]\n", "must be a list"},
                          {"name = \"e\"\n[axes]\nmodel = [\"a\", \"a\"]\n[preset.quick]\n", "twice"},
@@ -183,6 +187,7 @@ TEST(Experiment, FilterAndOrder) {
   EXPECT_EQ(filtered(cases, "^torus").size(), 4u);
   EXPECT_EQ(filtered(cases, "-16-.*x600$").size(), 8u);
   EXPECT_TRUE(filtered(cases, "whale").empty());
+  test::expect_has(refusal([&] { filtered(cases, std::string(80, '(')); }), std::string(80, '(') + ": this");
   test::expect_has(refusal([&] { filtered(cases, "x" + std::string(80, '(')); }),
                    "--filter x" + std::string(79, '(') + "...: this is not a valid regular expression");
 
@@ -192,7 +197,9 @@ TEST(Experiment, FilterAndOrder) {
     for (const Case& c : list) result.push_back(c.name);
     return result;
   };
-  EXPECT_EQ(names(shuffled(cases, 5)), names(shuffled(cases, 5)));
+  EXPECT_EQ(names(shuffled(filtered(cases, "^torus"), 5)),
+            (std::vector<std::string>{"torus-64-1680x1050", "torus-16-800x600", "torus-16-1680x1050",
+                                      "torus-64-800x600"}));
   EXPECT_NE(names(shuffled(cases, 5)), names(shuffled(cases, 6)));
   auto sorted = names(shuffled(cases, 5)), all = names(cases);
   std::sort(sorted.begin(), sorted.end());

@@ -75,5 +75,16 @@ TEST(Collections, AWordThatIsNoCollectionIsAnExperiment) {
   EXPECT_THROW(experiments_named("figures.toml"), InputError);
 }
 
+TEST(Collections, AFolderOfTheUserReplacesTheShippedExperiments) {
+  const test::Folder own;
+  setenv("PELAGE_DATA", own.path.c_str(), 1);
+  EXPECT_EQ(experiment_file("layers").stem(), "layers");  // the folder has no experiments yet
+  fs::create_directory(own.path / "experiments");
+  const std::vector<fs::path> files{own.write("experiments/a.toml", "not TOML")};
+  EXPECT_EQ(experiment_files(), files);
+  EXPECT_EQ(experiments_named("a"), files);  // reads no file, because no collection is searched
+  unsetenv("PELAGE_DATA");
+}
+
 }  // namespace
 }  // namespace pelage

@@ -51,6 +51,7 @@ TEST(View, BadTablesAreRefusedWithTheirLine) {
        {"[report]\nx = 3\n", "e.toml:7: report: x must be a string"},
        {"[report]\ny = []\n", "e.toml:7: report: y must be a string or a list of strings"},
        {"[report]\nseries = [1]\n", "e.toml:7: report: series must be a string or a list of strings"},
+       {"[report]\nscale = [\"log\", \"log\", \"log\"]\n", "e.toml:7: report: scale must be"},
        {"[report]\nscale = \"cubic\"\n", "e.toml:7: report: scale must be \"linear\" or \"log\""}},
       view_of);
 }
