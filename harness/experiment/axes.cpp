@@ -107,19 +107,23 @@ void check_axes(const Experiment& experiment, const Preset& preset, const Overri
   const auto in = [](const std::vector<Axis>& list, const std::string& key) {
     return std::any_of(list.begin(), list.end(), [&](const Axis& axis) { return axis.key == key; });
   };
+  std::map<std::string, std::string> varied;  // scene keys and the axes that set them
   for (const Axis& axis : axes) {
     if (is_named(axis.key)) check_named(experiment, axis);
     for (const Axis& other : axes)
       if (other.key != axis.key && !in(overrides.axes, other.key) &&
           (in(experiment.axes, other.key) || in(preset.axes, other.key)))
         refuse_contradicting_tables(experiment, axis, other);
-    for (const auto& [key, value] : overrides.set)
-      for (const std::string& varied : varied_by(axis.key))
-        if (key == varied)
-          throw InputError(
-              fmt::format("--set {}: the axis {} of {} varies this key; give the values with --axis {}=...",
-                          key, axis.key, experiment.name, axis.key));
+    for (const std::string& key : varied_by(axis.key))
+      if (const auto [first, added] = varied.emplace(key, axis.key); !added)
+        throw InputError(fmt::format("{}: the axes {} and {} both vary {}; remove one of them",
+                                     experiment.name, first->second, axis.key, key));
   }
+  for (const auto& [key, value] : overrides.set)
+    if (const auto axis = varied.find(key); axis != varied.end())
+      throw InputError(
+          fmt::format("--set {}: the axis {} of {} varies this key; give the values with --axis {}=...", key,
+                      axis->second, experiment.name, axis->second));
 }
 
 }  // namespace pelage

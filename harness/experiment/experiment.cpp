@@ -197,8 +197,7 @@ Case control_case(const Experiment& experiment, const Case& which) {
   Case result = make_case(experiment, axes, std::vector<std::size_t>(axes.size()), {}, which.overrides);
   result.set = which.set;
   // --model sets the key of the case, not an axis.
-  if (const auto model = which.settings.find("model"); model != which.settings.end())
-    result.settings["model"] = model->second;
+  if (which.overrides.contains("model")) result.settings["model"] = which.settings.at("model");
   return result;
 }
 

@@ -115,8 +115,8 @@ Preset read_preset(const Source& source, std::string_view name, const toml::tabl
   Preset preset;
   SamplingLimits& limits = preset.limits;
   limits.warm_up_s = in.number("warm_up_s", limits.warm_up_s, 0, 3600);
-  limits.least = int(in.number("least", limits.least, 1, 1e6));
-  limits.most = int(in.number("most", limits.most, 1, 1e6));
+  limits.least = int(in.whole("least", 1, 1'000'000).value_or(limits.least));
+  limits.most = int(in.whole("most", 1, 1'000'000).value_or(limits.most));
   limits.precision = in.number("precision", limits.precision, 0, 1);
   limits.limit_s = in.number("limit_s", limits.limit_s, 0, 86400);
   if (limits.most < limits.least)
@@ -178,22 +178,28 @@ void check_require(const fs::path& file, const toml::table& table, const Experim
                fmt::format("require.{}.{}: no axis has this name and value", axis, value));
 }
 
-std::vector<Published> read_published(const fs::path& file, const toml::table& table) {
-  const std::string unit = TomlTable(file, table, "published").text("unit");
-  const auto* keys = table["keys"].as_array();
-  const auto* cells = table["cells"].as_array();
-  if (!keys || !cells) refuse(file, &table, "[published] must have keys = [...] and cells = [[...], ...]");
+std::vector<Published> read_published(const fs::path& file, const toml::table& table,
+                                      const Experiment& experiment) {
+  TomlTable in(file, table, "published");
+  const std::string unit = in.text("unit");
+  const std::vector<std::string> keys = in.texts("keys");
+  const toml::node* cells = in.get("cells");
+  in.finish();
+  if (keys.empty() || !cells || !cells->is_array())
+    refuse(file, &table, "[published] must have keys = [...] and cells = [[...], ...]");
+  for (const std::string& key : keys)
+    if (axis_values(experiment, key).empty()) in.refuse("keys", fmt::format("no axis has the name {}", key));
   std::vector<Published> result;
-  for (const toml::node& node : *cells) {
+  for (const toml::node& node : *cells->as_array()) {
     const auto* cell = node.as_array();
-    if (!cell || cell->size() != keys->size() + 1)
+    if (!cell || cell->size() != keys.size() + 1)
       refuse(
           file, &node,
           fmt::format(
               "each entry of cells must contain {} values (one per entry of keys) and then the published number",
-              keys->size()));
+              keys.size()));
     Published published;
-    for (std::size_t i = 0; i < keys->size(); ++i) published.at[plain((*keys)[i])] = plain((*cell)[i]);
+    for (std::size_t i = 0; i < keys.size(); ++i) published.at[keys[i]] = plain((*cell)[i]);
     try {
       published.figure = published_figure(plain(cell->back()), unit);
     } catch (const InputError& error) {
@@ -215,9 +221,11 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
     const auto* settings = node.as_table();
     if (!settings) refuse(file, &node, fmt::format("{}.{} must be a table of scene keys", axis, value.str()));
     std::vector<Setting>& list = into.at[axis][std::string(value.str())];
-    for (const auto& [key, inner] : *settings)
-      if (axis == "variant" && says_how(key.str()))
-        into.variants[std::string(value.str())][std::string(key.str())] = plain(inner);
+    if (axis == "variant") {
+      auto& how = into.variants[std::string(value.str())];
+      for (const auto& [key, inner] : *settings)
+        if (says_how(key.str())) how[std::string(key.str())] = plain(inner);
+    }
     const auto none = [](std::string_view) { return false; };
     flatten(file, *settings, {}, axis == "variant" ? says_how : none, list);
   }
@@ -312,7 +320,7 @@ Experiment read_experiment(const fs::path& file) {
   static const std::set<std::string_view> tabled{"model", "layers", "size", "reading", "variant"};
 
   for (const auto& [key, node] : table) {
-    if (texts.contains(key.str())) continue;
+    if (texts.contains(key.str()) || key == "published") continue;
     if (!reserved.contains(key.str()) && !tabled.contains(key.str())) continue;  // read after this loop
     const auto* inner = node.as_table();
     if (!inner) refuse(file, &node, fmt::format("{} must be a table", key.str()));
@@ -320,8 +328,6 @@ Experiment read_experiment(const fs::path& file) {
       read_scene_table(file, *inner, result);
     } else if (key == "axes") {
       result.axes = read_axes(source, *inner);
-    } else if (key == "published") {
-      result.published = read_published(file, *inner);
     } else if (key == "report") {
       result.view = read_view(file, *inner);
     } else if (key == "require") {
@@ -335,8 +341,9 @@ Experiment read_experiment(const fs::path& file) {
       read_tables_of_axis(file, std::string(key.str()), *inner, result);
     }
   }
-  // The name of each remaining table must be the name of an axis. These tables are read last, because the
-  // presets may add axes.
+  // These tables name axes, so they are read last: presets may add axes.
+  if (const toml::table* published = in.table("published"))
+    result.published = read_published(file, *published, result);
   for (const auto& [key, node] : table)
     if (!reserved.contains(key.str()) && !tabled.contains(key.str()))
       read_tables_of_own_axis(file, std::string(key.str()), node, result);

@@ -94,6 +94,8 @@ TEST_F(Axes, ATableMustNotContradictAnAxis) {
   refuses(moods + "[model.torus]\nfur.layers = 4\n[mood.storm]\n" + quick, "[model.torus] sets fur.layers");
   refuses(moods + storm + quick, "--set fur.layers: the axis layers of e varies this key",
           {.set = {{"fur.layers", "4"}}});
+  refuses(moods + storm + quick, "e: the axes layers and fur.layers both vary fur.layers; remove one of them",
+          {.axes = {{"fur.layers", {"4"}}}});
   // The command line may set the number of layers to 6, although the table [mood.storm] sets it to 4.
   const Experiment e = read(
       "name = \"e\"\n[axes]\nmodel = [\"own\"]\nmood = [\"storm\"]\n[model.own]\nmodel = \"m.obj\"\n"

@@ -55,8 +55,8 @@ TEST_F(SceneFile, NamesThePipelineOfVariantsThatNameNone) {
 
 TEST_F(SceneFile, IsOverriddenByKeysTablesAxesAndSet) {
   const Experiment e = read(
-      "fur.length = 0.06\ncoat.image = \"own.png\"\n[variant.a]\nmapping = \"pixel\"\nfur.layers = 12\n"
-      "[preset.set]\naxes.variant = [\"a\"]\naxes.fur.taper = [2.5]\n");
+      "fur.length = 0.06\ncoat.image = \"own.png\"\n[variant.a]\nfur.layers = 12\n[variant.b]\n"
+      "[preset.set]\naxes.variant = [\"a\", \"b\"]\naxes.fur.taper = [2.5]\n");
   EXPECT_FLOAT_EQ(first(e).fur.length, 0.06f);
   EXPECT_EQ(first(e).fur.layers, 8);
   EXPECT_EQ(first(e).shading.lights.size(), 1u);

@@ -39,6 +39,10 @@ TEST(Baseline, HasTheFirstValueOfNamedAxesAndAllOtherSettings) {
   EXPECT_EQ(plain.settings, case_named(e, "pear-16").settings);
   const auto own = cases_of(e, {}, {.axes = {{"size", {"4x3"}}}, .model = "m.obj"});
   EXPECT_EQ(control_case(e, own[3]).settings, own[1].settings);  // the options --axis and --model stay
+  Experiment figures = two_readings();
+  figures.axes.erase(figures.axes.begin());
+  figures.at["reading"]["curled"] = {{"model", "\"pear\""}};
+  EXPECT_FALSE(control_case(figures, case_named(figures, "curled-8")).settings.contains("model"));
 }
 
 /// Frames take 3 ms with curls and 2 ms without. If `bad` is the name of a case, its picture fails the check.
