@@ -86,9 +86,11 @@ std::string read_text(const fs::path& file) {
 
 void sync(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const int code = descriptor >= 0 && ::fsync(descriptor) == 0 ? 0 : errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (code != 0 && code != EINVAL) fail(path, "cannot be synced", code);  // some file systems sync no folders
+  if (descriptor < 0) fail(path, "cannot be synced", errno);
+  const bool synced = ::fsync(descriptor) == 0 || errno == EINVAL;  // some file systems sync no folders
+  const int code = errno;
+  ::close(descriptor);
+  if (!synced) fail(path, "cannot be synced", code);
 }
 
 JournalCalls system_calls() {
@@ -97,7 +99,6 @@ JournalCalls system_calls() {
 
 Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(file), calls_(calls) {
   make_folder(file.parent_path());
-  const bool existed = fs::exists(file);
   descriptor_ = ::open(file.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
   if (descriptor_ < 0) fail(file, "cannot be opened for writing", errno);
   try {
@@ -108,12 +109,13 @@ Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(fi
             file.string()));
       fail(file, "cannot be locked", errno);
     }
-    if (!existed) sync(file.parent_path().empty() ? fs::path(".") : file.parent_path());
+    // A process that was killed may have created the file without this sync.
+    sync(file.parent_path().empty() ? fs::path(".") : file.parent_path());
     Contents contents = parse(file, read_text(file));
     if (contents.journal.torn > 0) {
       if (mode == Mode::fresh)
         throw InputError(fmt::format("{}: the last row is truncated; continue with --resume", file.string()));
-      if (::ftruncate(descriptor_, off_t(contents.good)) != 0 || ::fdatasync(descriptor_) != 0)
+      if (calls_.ftruncate(descriptor_, off_t(contents.good)) != 0 || calls_.fdatasync(descriptor_) != 0)
         fail(file, "cannot remove the truncated last row", errno);
     }
     rows_ = std::move(contents.journal.rows);
@@ -127,18 +129,8 @@ Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(fi
 }
 
 Journal::~Journal() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  ::close(descriptor_);
 }
-
-Journal::Journal(Journal&& other) noexcept
-    : file_(std::move(other.file_)),
-      calls_(other.calls_),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      good_length_(other.good_length_),
-      dropped_(other.dropped_),
-      broken_(other.broken_),
-      rows_(std::move(other.rows_)),
-      keys_(std::move(other.keys_)) {}
 
 void Journal::append(const Row& row) {
   if (broken_)
@@ -168,7 +160,8 @@ void Journal::write_all(const std::string& text) {
     } else if (count == 0 || errno != EINTR) {
       const int code = count < 0 ? errno : ENOSPC;
       broken_ = true;
-      if (calls_.ftruncate(descriptor_, good_length_) == 0) calls_.fdatasync(descriptor_);
+      calls_.ftruncate(descriptor_, good_length_);
+      calls_.fdatasync(descriptor_);
       fail(file_, "the row cannot be written", code);
     }
   }

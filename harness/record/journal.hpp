@@ -4,7 +4,7 @@
 // The journal follows rules for durable writing that SQLite and RocksDB also follow. A lock admits only one
 // writer, and the file is opened with O_APPEND. Each write is one whole line with a checksum, continued after
 // an interruption or a partial write. A row counts as written only after fdatasync. The folder of the journal
-// is synced when the file is created. If a write fails, for instance on a full disk, the file is truncated to
+// is synced when the file is opened. If a write fails, for instance on a full disk, the file is truncated to
 // its last complete row and append() throws. If fdatasync fails, append() throws and does not retry.
 // Mode::resume removes a truncated last line, which has no line feed. Any other damage is an error.
 //
@@ -42,17 +42,15 @@ class Journal {
   /// the earlier row does not have the status error, or the last line is truncated and `mode` is fresh.
   Journal(const std::filesystem::path& file, Mode mode, JournalCalls calls = system_calls());
   ~Journal();
-  Journal(Journal&& other) noexcept;
-  Journal& operator=(Journal&&) = delete;
+  Journal(Journal&&) = delete;
 
   /// Rows that the file contained when it was opened, without rows with the status error that later rows
   /// replace.
   const std::vector<Row>& rows() const { return rows_; }
   /// Whether the file contains a row with this key and a status other than error.
   bool holds(const std::string& key) const { return keys_.contains(key); }
-  std::size_t dropped_bytes() const {
-    return dropped_;
-  }  ///< length of the truncated last line that was removed, in bytes
+  /// Length of the truncated last line that was removed, in bytes.
+  std::size_t dropped_bytes() const { return dropped_; }
   const std::filesystem::path& file() const { return file_; }
 
   /// Appends a row and syncs the file to the disk. Throws InputError if holds() is true for the row's key, if
@@ -65,9 +63,9 @@ class Journal {
 
   std::filesystem::path file_;
   JournalCalls calls_;
-  int descriptor_ = -1;
-  off_t good_length_ = 0;
-  std::size_t dropped_ = 0;
+  int descriptor_;
+  off_t good_length_;
+  std::size_t dropped_;
   bool broken_ = false;
   std::vector<Row> rows_;
   std::set<std::string> keys_;  // keys of the rows whose status is not error

@@ -29,6 +29,7 @@ struct JournalFile : InFolder {
 TEST(RowLine, ComesBackAsItWent) {
   Row row = sample_row("a");
   row.axes["curl.radius"] = ".05";  // a number, but not one of JSON
+  row.axes["curl.turns"] = "1e1";   // JSON prints it as 10.0
   const std::string line = to_line(row);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   const Row back = row_from_line(line);
@@ -76,8 +77,9 @@ TEST(RowLine, OnlyOkRowsHaveATime) {
 
 TEST(RowLine, DriverTextNeedNotBeUtf8) {
   Row row = sample_row("a");
-  row.reason = "log: \xff\xfe end";
-  expect_has(row_from_line(to_line(row)).reason, "end");
+  row.reason = "log: \xff\xfe \u00fc end";
+  expect_has(row_from_line(to_line(row)).reason, "\u00fc end");
+  expect_has(to_line(row), "\u00fc end");
 }
 
 TEST_F(JournalFile, KeepsRowsAcrossProcesses) {
@@ -87,6 +89,7 @@ TEST_F(JournalFile, KeepsRowsAcrossProcesses) {
     journal.append(sample_row("a"));
     journal.append(sample_row("b"));
   }
+  EXPECT_NE(fs::status(deep).permissions() & fs::perms::owner_read, fs::perms::none);
   Journal journal(deep, Journal::Mode::resume);
   ASSERT_EQ(journal.rows().size(), 2u);
   EXPECT_TRUE(journal.holds(row_key(sample_row("a"))));
@@ -178,29 +181,32 @@ TEST_F(JournalFile, AFailedCaseRunsAgain) {
   EXPECT_EQ(rows.front().status, Status::ok);
 }
 
-// The functions below replace system calls of the journal. The variables g_* select which calls fail. The
-// variables are global, because the journal takes plain function pointers.
-int g_interrupts = 0;
-std::size_t g_short = 0;
-int g_fail_write_after = -1;
-bool g_fail_sync = false;
+// The functions below replace system calls of the journal. `g_faults` selects which calls fail. It is
+// global, because the journal takes plain function pointers.
+struct Faults {
+  int interrupts = 0;
+  std::size_t most = std::string::npos;  // number of bytes that one call writes
+  int fail_write_after = -1;
+  bool write_nothing = false, fail_sync = false;
+} g_faults;
 
 ssize_t bad_write(int descriptor, const void* data, std::size_t size) {
-  if (g_interrupts > 0) {
-    --g_interrupts;
+  if (g_faults.interrupts > 0) {
+    --g_faults.interrupts;
     errno = EINTR;
     return -1;
   }
-  if (g_fail_write_after == 0) {
-    errno = ENOSPC;
-    return -1;
+  if (g_faults.fail_write_after == 0) {
+    g_faults.fail_write_after = -1;  // a second try would succeed
+    errno = g_faults.write_nothing ? EINTR : ENOSPC;
+    return g_faults.write_nothing ? 0 : -1;
   }
-  if (g_fail_write_after > 0) --g_fail_write_after;
-  return ::write(descriptor, data, g_short > 0 ? std::min(size, g_short) : size);
+  if (g_faults.fail_write_after > 0) --g_faults.fail_write_after;
+  return ::write(descriptor, data, std::min(size, g_faults.most));
 }
 
 int bad_sync(int descriptor) {
-  if (g_fail_sync) {
+  if (g_faults.fail_sync) {
     errno = EIO;
     return -1;
   }
@@ -208,37 +214,32 @@ int bad_sync(int descriptor) {
 }
 
 struct BadCalls : JournalFile {
-  void SetUp() override { reset(); }
-  void TearDown() override { reset(); }
-  static void reset() {
-    g_interrupts = 0;
-    g_short = 0;
-    g_fail_write_after = -1;
-    g_fail_sync = false;
-  }
+  void SetUp() override { g_faults = {}; }
   JournalCalls calls{bad_write, bad_sync, ::ftruncate};
 };
 
 TEST_F(BadCalls, InterruptedAndShortWritesAreFinished) {
   Journal journal(file, Journal::Mode::fresh, calls);
-  g_interrupts = 3;
-  g_short = 5;
+  g_faults.most = 1;
   journal.append(sample_row("a"));
-  EXPECT_EQ(text_of(file), first);
+  g_faults.interrupts = 3;
+  journal.append(sample_row("b"));
+  EXPECT_EQ(text_of(file), first + second);
 }
 
 TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
   const std::size_t writes = second.size() / 40;
   for (int after = 0; after <= int(writes); ++after) {
     fs::remove(file);
-    reset();
+    g_faults = {};
     Journal journal(file, Journal::Mode::fresh, calls);
     journal.append(sample_row("a"));
-    g_short = 40;
-    g_fail_write_after = after;
+    g_faults.most = 40;
+    g_faults.fail_write_after = after;
+    g_faults.write_nothing = after % 2 == 1;
     expect_has(refusal([&] { journal.append(sample_row("b")); }), "No space left");
     EXPECT_EQ(text_of(file), first);
-    reset();
+    g_faults = {};
     EXPECT_NE(refusal([&] { journal.append(sample_row("c")); }), "accepted")
         << "a broken journal takes no more";
   }
@@ -246,9 +247,12 @@ TEST_F(BadCalls, AFullDiskLeavesWhatWasAcknowledged) {
 
 TEST_F(BadCalls, AFailedSyncIsNotRetried) {
   Journal journal(file, Journal::Mode::fresh, calls);
-  g_fail_sync = true;
+  g_faults.fail_sync = true;
   expect_has(refusal([&] { journal.append(sample_row("a")); }), "synced");
-  g_fail_sync = false;
+  const fs::path torn = folder.path / "torn.jsonl";
+  write_text(torn, "{");
+  expect_has(refusal([&] { Journal(torn, Journal::Mode::resume, calls); }), "cannot remove the truncated");
+  g_faults.fail_sync = false;
   EXPECT_NE(refusal([&] { journal.append(sample_row("b")); }), "accepted");
 }
 
@@ -261,7 +265,8 @@ TEST_F(JournalFile, ARealLimitOnTheFile) {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{first.size() + 100, first.size() + 100};
     setrlimit(RLIMIT_FSIZE, &limit);
-    close(STDIN_FILENO);  // the journal gets the descriptor 0
+    close(STDIN_FILENO);  // sync() and then the journal get the descriptor 0
+    sync(folder.path);
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
     _exit(refusal([&] { journal.append(sample_row("b")); }) == "accepted" ? 1 : 0);
@@ -277,6 +282,7 @@ TEST_F(JournalFile, APlaceThatCannotBeWritten) {
   EXPECT_NE(refusal([&] { Journal(folder.path / "file" / "j.jsonl", Journal::Mode::fresh); }), "accepted");
   EXPECT_NE(refusal([&] { Journal("/proc/pelage/j.jsonl", Journal::Mode::fresh); }), "accepted");
   expect_has(refusal([&] { sync(folder.path / "absent"); }), "absent: cannot be synced");
+  sync("/dev/null");  // has no fsync(), like the folders of some file systems
 }
 
 }  // namespace
