@@ -1,10 +1,11 @@
 #include "harness/record/shards.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <re2/re2.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace pelage {
@@ -41,8 +42,7 @@ struct ShardRows {
     deals.insert(other.deals.begin(), other.deals.end());
   }
   std::size_t done() const {
-    return std::size_t(
-        std::count_if(measured.begin(), measured.end(), [](const auto& m) { return m.second; }));
+    return std::size_t(std::ranges::count_if(measured, [](const auto& m) { return m.second; }));
   }
 };
 
@@ -57,62 +57,51 @@ std::string device_of(const std::string& stem) {
 
 /// Returns the index of the row's shard, and the number of shards.
 std::pair<int, int> shard_of(const FoundRow& found) {
-  const std::string recorded = provenance_text(found.row, "shard");
-  int index = 0, count = 1;
-  if (std::sscanf(recorded.c_str(), "%6d/%6d", &index, &count) == 2 && index >= 0 && index < count)
-    return {index, count};
-  const JournalName name = journal_name(found.journal);
-  return {name.index, name.count};
+  static const RE2 recorded("([0-9]{1,6})/([0-9]{1,6})");
+  JournalName shard;
+  if (!RE2::FullMatch(provenance_text(found.row, "shard"), recorded, &shard.index, &shard.count) ||
+      shard.index >= shard.count)
+    shard = journal_name(found.journal);
+  return {shard.index, shard.count};
 }
 
 /// A run with more shards than cases has shards without a case. Therefore a shard without a row is no gap if
-/// the other shards together have all cases of the run.
-std::vector<Gap> gaps_of(const Shards& shards, int count) {
+/// the other shards together have all cases of the run. `run` is the sum of all shards.
+std::vector<Gap> gaps_of(const Shards& shards, const ShardRows& run, int count) {
   std::vector<Gap> gaps;
-  std::size_t known = 0, all = 0, repeats = 1;
-  std::set<std::pair<std::string, int>> done;
-  for (const auto& [index, shard] : shards) {
-    known += shard.cases;
-    all = std::max(all, shard.all_cases);
-    repeats = std::max(repeats, shard.repeats);
-    for (const auto& [measurement, good] : shard.measured)
-      if (good) done.insert(measurement);
-  }
+  std::size_t known = 0;
+  for (const auto& [index, shard] : shards) known += shard.cases;
   for (int index = 0; index < count; ++index) {
     const auto found = shards.find(index);
     if (found == shards.end() || found->second.measured.empty()) {
-      if (all == 0 || known < all) gaps.push_back({index, count});
+      if (run.all_cases == 0 || known < run.all_cases) gaps.push_back({index, count});
       continue;
     }
     const ShardRows& shard = found->second;
     Gap gap{index, count, false, shard.done(), shard.measured.size() - shard.done(), std::nullopt};
     if (shard.cases > 0) gap.expected = shard.cases * shard.repeats;
-    if (gap.failed > 0 || gap.done < gap.expected.value_or(0)) gaps.push_back(gap);
+    if (gap.failed > 0 || gap.done < gap.expected) gaps.push_back(gap);
   }
-  if (gaps.empty() && done.size() < all * repeats)
-    gaps.push_back({.count = count, .whole_run = true, .done = done.size(), .expected = all * repeats});
+  const std::size_t done = run.done(), expected = run.all_cases * run.repeats;
+  if (gaps.empty() && done < expected)
+    gaps.push_back({.count = count, .whole_run = true, .done = done, .expected = expected});
   return gaps;
 }
 
 RunState state_of(const Family& family, const std::vector<std::string>& stems, const Shards& shards) {
   RunState state;
-  std::set<std::string> deals;
-  std::vector<std::string> hosts;
-  hosts.reserve(stems.size());
-  for (const std::string& stem : stems)
-    hosts.push_back(stems.size() > 1 && stem.find('@') != std::string::npos ? stem.substr(stem.find('@') + 1)
-                                                                            : stem);
+  ShardRows run;
+  for (const auto& [index, shard] : shards) run.add(shard);
   state.experiment = std::get<0>(family);
-  state.where = fmt::format("{}{}", stems.size() > 1 ? std::get<1>(family) + "@" : "", fmt::join(hosts, "+"));
+  state.where = stems.front();
+  for (const std::string& stem : std::span(stems).subspan(1))
+    state.where += "+" + stem.substr(stem.find('@') + 1);
   state.overrides = std::get<3>(family);
-  for (const auto& [index, shard] : shards) {
-    deals.insert(shard.deals.begin(), shard.deals.end());
-    for (const auto& [measurement, good] : shard.measured)
-      (good ? state.done : state.failed).insert(measurement.first);
-  }
+  for (const auto& [measurement, good] : run.measured)
+    (good ? state.done : state.failed).insert(measurement.first);
   for (const std::string& name : state.done) state.failed.erase(name);
-  state.gaps = gaps_of(shards, std::get<2>(family));
-  state.dealt_differently = deals.size() > 1;
+  state.gaps = gaps_of(shards, run, std::get<2>(family));
+  state.dealt_differently = run.deals.size() > 1;
   return state;
 }
 

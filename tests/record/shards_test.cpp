@@ -9,18 +9,20 @@ namespace {
 /// A run of 6 cases in 3 shards. Cases 0 and 3 belong to shard 0, cases 1 and 4 to shard 1, and cases 2 and 5
 /// to shard 2.
 struct FakeRun {
+  int count = 3;
   std::vector<fs::path> journals;
   std::vector<FoundRow> rows;
 
   void add(int shard, const std::vector<int>& cases, const std::string& host = "node1",
            bool recorded = true) {
-    const fs::path journal = "shard/own/gpu@" + host + "." + std::to_string(shard) + "-of-3.jsonl";
+    const fs::path journal =
+        "shard/own/gpu@" + host + "." + std::to_string(shard) + "-of-" + std::to_string(count) + ".jsonl";
     journals.push_back(journal);
     for (const int i : cases) {
       Row row = test::sample_row("case" + std::to_string(i));
       row.experiment = "own";
       if (recorded)
-        row.provenance = {{"shard", std::to_string(shard) + "/3"},
+        row.provenance = {{"shard", std::to_string(shard) + "/" + std::to_string(count)},
                           {"shard_cases", 2},
                           {"all_cases", 6},
                           {"repeats", 1},
@@ -53,6 +55,7 @@ TEST(Shards, ACompleteRunHasNoGap) {
   FakeRun run;
   for (int shard = 0; shard < 3; ++shard) run.add(shard, {shard, shard + 3});
   EXPECT_EQ(run.gaps(), Texts{});
+  EXPECT_FALSE(run_states(run.journals, run.rows).front().dealt_differently);
 }
 
 TEST(Shards, LostShardsAndMissingCasesAreNamed) {
@@ -61,16 +64,18 @@ TEST(Shards, LostShardsAndMissingCasesAreNamed) {
   run.add(2, {5});
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 1/3: no rows", "gpu@node1 shard 2/3: 1 of 2 cases"}));
   run.rows.back().row.status = Status::error;
+  run.add(2, {2});
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 1/3: no rows",
-                               "gpu@node1 shard 2/3: 0 of 2 cases, 1 ended with an error"}));
+                               "gpu@node1 shard 2/3: 1 of 2 cases, 1 ended with an error"}));
 }
 
 TEST(Shards, AJournalWithoutRowsHasAGap) {
   FakeRun run;
+  run.count = 2;
   run.add(0, {0, 3});
-  run.add(1, {1, 4});
-  run.add(2, {}, "node2");
-  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1+node2 shard 2/3: no rows"}));
+  run.add(1, {}, "node2");
+  run.journals.push_back("shard/own/cpu@node1.1-of-2.jsonl");  // of another device
+  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1+node2 shard 1/2: no rows"}));
 }
 
 // If a run has more shards than cases, some shards have no case.
@@ -107,9 +112,14 @@ TEST(Shards, RowsOfOlderVersionsTellOnlyWhichShardsExist) {
   FakeRun run;
   run.add(0, {0}, "node1", false);
   run.add(2, {2}, "node1", false);
-  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 1/3: no rows"}));
-  for (FoundRow& found : run.rows) found.row.provenance = {{"shard_cases", 1}, {"all_cases", -1}};
-  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 1/3: no rows"}));
+  run.rows.back().row.status = Status::error;
+  EXPECT_EQ(run.gaps(),
+            (Texts{"gpu@node1 shard 1/3: no rows", "gpu@node1 shard 2/3: 0 cases, 1 ended with an error"}));
+  for (FoundRow& found : run.rows)
+    found.row.provenance = {{"shard", 1}, {"shard_cases", 1}, {"all_cases", -1}, {"repeats", "two"}};
+  run.rows.front().row.provenance["shard"] = "3/3";
+  EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 1/3: no rows",
+                               "gpu@node1 shard 2/3: 0 of 1 cases, 1 ended with an error"}));
 }
 
 TEST(Shards, EachProcessOfRepeatCounts) {
