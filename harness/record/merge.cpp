@@ -108,13 +108,13 @@ class Target {
 };
 
 std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
+  const auto rank = [](const FoundRow* found) {
+    return std::pair(found->row.status != Status::error, provenance_text(found->row, "utc"));
+  };
   std::map<std::string, const FoundRow*> latest;  // key -> the row to keep
   for (const FoundRow& found : rows) {
-    const FoundRow*& best = latest[key_of(found)];
-    const bool better = best && (best->row.status == Status::error) &&
-                        (found.row.status != Status::error ||
-                         provenance_text(found.row, "utc") > provenance_text(best->row, "utc"));
-    if (!best || better) best = &found;
+    const FoundRow*& best = latest.try_emplace(key_of(found), &found).first->second;
+    best = std::ranges::max(best, &found, {}, rank);
   }
   std::vector<FoundRow> kept;
   for (const FoundRow& found : rows)
@@ -172,7 +172,6 @@ Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
 namespace {
 
 bool equal_bytes(const fs::path& a, const fs::path& b) {
-  if (fs::file_size(a) != fs::file_size(b)) return false;
   std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
   return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {});
 }

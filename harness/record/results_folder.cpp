@@ -138,8 +138,7 @@ fs::path picture_of(const FoundRow& found) {
 void refuse_recordings(const fs::path& folder) {
   const fs::path recordings = fs::weakly_canonical(fs::path(PELAGE_SOURCE_DIR) / "results");
   const fs::path wanted = fs::weakly_canonical(folder);
-  const auto [end, unused] =
-      std::mismatch(recordings.begin(), recordings.end(), wanted.begin(), wanted.end());
+  const auto [end, unused] = std::ranges::mismatch(recordings, wanted);
   if (end == recordings.end())
     throw InputError(fmt::format(
         "{}: this folder contains recorded results, which a run must not change; give another folder with -o",

@@ -28,8 +28,7 @@ std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>&
   for (const FoundRow& found : rows) {
     if (!parts.contains(found.journal)) journals.push_back(found.journal);
     auto& own = parts[found.journal];
-    auto place =
-        std::find_if(own.begin(), own.end(), [&](const auto& part) { return !part.first.conflict(found); });
+    auto place = std::ranges::find_if(own, [&](const auto& part) { return !part.first.conflict(found); });
     if (place == own.end()) place = own.emplace(own.end());
     place->first.add(found);
     place->second.push_back(&found);

@@ -80,8 +80,10 @@ TEST_F(Merging, ShardsBecomeOneJournalAndRowsStayAsTheyAre) {
   // This row also belongs to the experiment "own". The row's field `experiment` determines this, not the name
   // "other" of the folder.
   write("s1/other/gpu@node2.jsonl", {row_of("b", "run3")});
+  picture("s1/other/images/b.png", "of node2");
   Merge merge = plan({"s0", "s1"});
-  EXPECT_EQ(write_merge(merge, out), 0u);
+  EXPECT_EQ(write_merge(merge, out), 1u);
+  EXPECT_EQ(text_of(out / "own/images/b@gpu@node2.png"), "of node2");
   EXPECT_EQ(cases_of(out / "own/gpu@node1.jsonl"), (Names{"a", "c", "b"}));
   EXPECT_EQ(cases_of(out / "own/gpu@node2.jsonl"), (Names{"b"}));
   EXPECT_EQ(text_of(out / "own/gpu@node1.jsonl"), text_of(folder.path / "s0/own/gpu@node1.0-of-2.jsonl") +
@@ -104,6 +106,8 @@ TEST_F(Merging, AnErrorIsReplacedByAnyRowWithoutErrorAndByALaterError) {
   EXPECT_EQ(merge.replaced, 2u);
   for (const MergedRow& row : merge.rows) EXPECT_EQ(row.found.row.run_id, "run1");
   EXPECT_EQ(merge.rows[0].found.row.status, Status::ok);
+  picture("a/own/images/b.png", "of an earlier run");
+  EXPECT_EQ(write_merge(merge, out), 0u);
 }
 
 TEST_F(Merging, OtherInputsOfACaseAreRefusedAndNamed) {
