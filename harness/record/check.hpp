@@ -12,9 +12,8 @@ inline constexpr const char* against_reference = "reference";
 struct Check {
   std::string against;  ///< name of the trusted result, such as against_reference
   std::string metric;   ///< name of the compared quantity: "psnr", "p99.9", ...
-  double value = 0;
-  double limit = 0;
-  bool at_least = true;  ///< true: value >= limit is required; false: value <= limit
+  double value, limit;
+  bool at_least;  ///< true: value >= limit is required; false: value <= limit
   bool holds() const { return at_least ? value >= limit : value <= limit; }
 };
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "harness/base/median.hpp"
@@ -34,14 +34,10 @@ bool equal(double a, double b) {
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// The weakest limits of a picture's checks that any version of pelage has recorded. A row with weaker limits
-/// is edited. The limits that are used today stand in harness/compare/tolerances.hpp.
-constexpr std::array<WeakestLimit, 3> kWeakest{
-    {{"psnr", 55, true}, {"p99.9", 2.0 / 255, false}, {"flips", 1e-3, false}}};
-
-/// Refuses a limit weaker than in kWeakest, and a check in the other direction ("at most" for "at least").
+/// Refuses a limit weaker than in weakest_limits, and a check in the other direction ("at most" for "at
+/// least").
 void refuse_weakened(const Check& check) {
-  for (const WeakestLimit& weakest : kWeakest) {
+  for (const WeakestLimit& weakest : weakest_limits) {
     if (check.metric != weakest.metric || check.against == "experiment") continue;
     if (check.at_least != weakest.at_least ||
         (check.at_least ? check.limit < weakest.limit : check.limit > weakest.limit))
@@ -74,14 +70,14 @@ void refuse_events(const Row& row, const PhaseSamples& frame) {
     if (phase == "frame" || times.event_ms.empty()) continue;
     if (frame.event_ms.empty())
       throw InputError(fmt::format("the row has event times of the phase {}, but none of the frames", phase));
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += times.event_ms[i];
+    std::ranges::transform(sums, times.event_ms, sums.begin(), std::plus());
   }
   if (frame.event_ms.empty()) return;
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    if (!equal(sums[i], frame.event_ms[i]))
-      throw InputError(fmt::format(
-          "the event times of the phases of a frame sum to {} ms, but the frame's event time is {} ms",
-          sums[i], frame.event_ms[i]));
+  const auto [sum, event] = std::ranges::mismatch(sums, frame.event_ms, equal);
+  if (sum != sums.end())
+    throw InputError(fmt::format(
+        "the event times of the phases of a frame sum to {} ms, but the frame's event time is {} ms", *sum,
+        *event));
   if (median(frame.event_ms) > most_event_share * median(frame.wall_ms))
     throw InputError(
         fmt::format("the median event time of a frame is {} ms, but its median wall time is {} ms",
@@ -167,16 +163,12 @@ void refuse_names(const Row& row) {
     throw InputError(
         fmt::format("the row is of the device '{}', but its provenance says '{}'", row.device, recorded));
   const std::optional<double> seed = provenance_number(row, "check_seed");
-  if (seed && row.schema > 1 && *seed != double(check_seed(row.case_name)))
+  if (seed && row.schema != 1 && *seed != double(check_seed(row.case_name)))
     throw InputError(
         fmt::format("the seed of the row's check is not the seed of a case with the name {}", row.case_name));
 }
 
 }  // namespace
-
-std::span<const WeakestLimit> weakest_limits() {
-  return kWeakest;
-}
 
 void refuse_contradiction(const Row& row) {
   refuse_identity(row);

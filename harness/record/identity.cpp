@@ -60,9 +60,11 @@ std::string device_hash(const nlohmann::ordered_json& provenance) {
        {"platform", "platform_version", "device_name", "device_version", "driver", "compute_units", "lanes",
         "pocl_affinity", "environment", "timer", "timer_resolution_ns"})
     if (const auto found = provenance.find(key); found != provenance.end()) json[key] = *found;
-  // Bytes of driver strings that are not UTF-8 are replaced when a row is written. The hash must be computed
-  // from strings with the same replacements.
-  return Hash().text(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)).hex();
+  return Hash().text(json_line(json)).hex();
+}
+
+std::string json_line(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string renderer_hash(const std::string& renderer) {

@@ -38,6 +38,10 @@ std::string tuning_hash(const std::map<std::string, int>& tuning);
 /// device.
 std::string device_hash(const nlohmann::ordered_json& provenance);
 
+/// Returns the value as one line of JSON. Bytes that are not UTF-8, which driver strings and logs may
+/// contain, are replaced; otherwise dump() would throw and the row would be lost.
+std::string json_line(const nlohmann::ordered_json& value);
+
 /// Returns a hash of `renderer` (a result of opengl_renderer()) and of LP_NUM_THREADS, the number of threads
 /// of the software renderer llvmpipe.
 std::string renderer_hash(const std::string& renderer);

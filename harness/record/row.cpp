@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "harness/base/numbers.hpp"
 #include "harness/record/contradiction.hpp"
 #include "harness/record/ratios.hpp"
 
@@ -16,12 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<Status, std::string_view>, 6> kStatus{{{Status::ok, "ok"},
-                                                                      {Status::failed_check, "failed-check"},
-                                                                      {Status::diverged, "diverged"},
-                                                                      {Status::unsupported, "unsupported"},
-                                                                      {Status::skipped, "skipped"},
-                                                                      {Status::error, "error"}}};
+/// The texts of the values of Status, in the same order.
+constexpr std::array<std::string_view, 6> kStatus{"ok",          "failed-check", "diverged",
+                                                  "unsupported", "skipped",      "error"};
 
 constexpr std::string_view kCrcMark = ",\"crc\":\"";
 
@@ -32,8 +29,6 @@ std::string checksum(std::string_view text) {
 
 /// Returns a JSON number if `text` is a number ("16" becomes 16), else a JSON string.
 Json typed(const std::string& text) {
-  const std::optional<double> number = double_of(text);
-  if (!number || !std::isfinite(*number)) return text;
   Json parsed = Json::parse(text, nullptr, false);
   return parsed.is_number() && parsed.dump() == text ? parsed : Json(text);
 }
@@ -112,12 +107,6 @@ Json parsed(const std::string& text) {
   });
 }
 
-std::optional<Status> status_from_text(std::string_view text) {
-  for (const auto& [value, name] : kStatus)
-    if (name == text) return value;
-  return {};
-}
-
 Row row_from_json(const Json& json) {
   const int schema = whole(json.at("schema"));
   if (schema < 1 || schema > kRowSchema)
@@ -134,9 +123,10 @@ Row row_from_json(const Json& json) {
   json.at("device").get_to(row.device);
   if (schema > 1) json.at("identity").get_to(row.identity);
   row.repeat = whole(json.at("repeat"));
-  const auto status = status_from_text(json.at("status").get<std::string>());
-  if (!status) throw InputError(fmt::format("unknown status '{}'", json.at("status").get<std::string>()));
-  row.status = *status;
+  const auto status = json.at("status").get<std::string>();
+  const auto found = std::ranges::find(kStatus, status);
+  if (found == kStatus.end()) throw InputError(fmt::format("unknown status '{}'", status));
+  row.status = Status(found - kStatus.begin());
   json.at("reason").get_to(row.reason);
   for (const Json& check : json.at("check"))
     row.check.push_back({check.at("against"), check.at("metric"), number(check.at("value")),
@@ -160,9 +150,7 @@ Row row_from_json(const Json& json) {
 }  // namespace
 
 std::string_view to_text(Status status) {
-  for (const auto& [value, text] : kStatus)
-    if (value == status) return text;
-  return "error";
+  return kStatus.at(std::size_t(status));
 }
 
 std::string row_key(const Row& row) {
@@ -207,9 +195,7 @@ std::string to_line(const Row& row) {
             {"image_hash", row.image_hash},
             {"provenance", row.provenance}};
   if (row.schema > 1) json["identity"] = row.identity;
-  // Driver strings and logs may contain bytes that are not UTF-8. Such bytes are replaced; otherwise
-  // dump() would throw and the row would be lost.
-  std::string body = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string body = json_line(json);
   body.pop_back();
   return fmt::format("{}{}{}\"}}", body, kCrcMark, checksum(body));
 }

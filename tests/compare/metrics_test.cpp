@@ -145,8 +145,8 @@ TEST(Ssim, RefusesPicturesOfDifferentSizes) {
 TEST(WeakestLimits, AreThoseOfTheTolerances) {
   const std::map<std::string, double> tolerances{
       {"psnr", tolerance::other_filter_psnr}, {"p99.9", tolerance::flip}, {"flips", tolerance::flip_share}};
-  ASSERT_EQ(weakest_limits().size(), tolerances.size());
-  for (const WeakestLimit& weakest : weakest_limits())
+  ASSERT_EQ(weakest_limits.size(), tolerances.size());
+  for (const WeakestLimit& weakest : weakest_limits)
     EXPECT_EQ(weakest.limit, tolerances.at(weakest.metric)) << weakest.metric;
 }
 

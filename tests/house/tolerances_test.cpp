@@ -18,8 +18,8 @@ namespace {
 
 /// Returns the lines of a source file that define a tolerance. `path` is relative to the repository.
 std::vector<std::string> written_tolerances(const std::string& path, const std::string& text) {
-  // contradiction.cpp has the weakest limits of rows of every version, which belong to the file format.
-  if (path == "harness/compare/tolerances.hpp" || path == "harness/record/contradiction.cpp") return {};
+  // contradiction.hpp has the weakest limits of rows of every version, which belong to the file format.
+  if (path == "harness/compare/tolerances.hpp" || path == "harness/record/contradiction.hpp") return {};
   // In a line that constructs a Check, this expression matches a limit that is written as a number. Two kinds
   // of limits are not tolerances: a limit of 0, and the limit of a count. A limit is the limit of a count if
   // the checked value before it has the form double(...).

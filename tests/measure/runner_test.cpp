@@ -134,6 +134,7 @@ TEST_F(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1].status, Status::error);
   test::expect_has(rows[1].reason, "log line 2");
+  EXPECT_EQ(rows[1].build_ms + rows[1].first_launch_ms, 0);
   EXPECT_EQ(rows[2].status, Status::unsupported);
   EXPECT_EQ(rows[3].status, Status::ok);
 }
