@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -14,28 +16,38 @@
 namespace pelage::claims {
 namespace {
 
+/// Returns the row's axes, with "variant".
+std::map<std::string, std::string> axes_of(const Row& row) {
+  std::map<std::string, std::string> axes = row.axes;
+  axes.try_emplace("variant", row.variant);
+  return axes;
+}
+
 bool covers(const Claim& claim, const Row& row) {
-  if (std::find(claim.experiments.begin(), claim.experiments.end(), row.experiment) ==
-      claim.experiments.end())
-    return false;
-  if (!row.overrides.empty() && !claim.overridden) return false;
-  return std::all_of(claim.where.begin(), claim.where.end(), [&row](const auto& condition) {
-    const auto& [axis, values] = condition;
-    const bool own = axis == "variant" && !row.axes.contains(axis);
-    const std::string value = own ? row.variant : value_at(row.axes, axis);
-    return std::find(values.begin(), values.end(), value) != values.end();
-  });
+  const auto axes = axes_of(row);
+  return (row.overrides.empty() || claim.overridden) &&
+         std::all_of(claim.where.begin(), claim.where.end(), [&axes](const auto& condition) {
+           const auto& [axis, values] = condition;
+           return std::find(values.begin(), values.end(), value_at(axes, axis)) != values.end();
+         });
+}
+
+/// Returns the phases from whose times the quantity follows: the first alone, or for phase_share and
+/// ratio_by_phase the frame and the phase within it; "" for none. The times of `frame` count as frame times.
+std::array<std::string, 2> phases_of(const Claim& claim, const std::string& frame) {
+  if (claim.quantity == Quantity::metric) return {};
+  if (claim.quantity == Quantity::phase_share || claim.effect == Effect::ratio_by_phase)
+    return {frame, claim.phase};
+  return {claim.quantity == Quantity::phase_time ? claim.phase : frame, ""};
 }
 
 /// Returns why the claim's quantity cannot be computed from the row, or "" if it can.
-std::string missing(const Claim& claim, const Row& row, const std::string& phase) {
+std::string missing(const Claim& claim, const Row& row, const std::string& frame) {
   if (row.status != Status::ok)
     return fmt::format("{}{}{}", to_text(row.status), row.reason.empty() ? "" : ": ", row.reason);
   for (const std::string& name : {claim.metric, claim.per})
     if (!name.empty() && !row.metrics.contains(name)) return fmt::format("the row has no metric {}", name);
-  const bool needs_frame = claim.quantity != Quantity::metric && claim.quantity != Quantity::phase_time;
-  for (const std::string& name :
-       {needs_frame || claim.effect == Effect::ratio_by_phase ? phase : std::string(), claim.phase})
+  for (const std::string& name : phases_of(claim, frame))
     if (!name.empty() && times_of(row, name).empty())
       return fmt::format("the row has no times of the phase {}", name);
   return {};
@@ -44,9 +56,8 @@ std::string missing(const Claim& claim, const Row& row, const std::string& phase
 /// Returns the cells to which the row belongs: one cell, or one cell per phase if the claim has `phases`.
 /// They do not contain the row yet.
 std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
-  Cell cell{row.case_name, row.axes, "frame", {}};
-  cell.axes.try_emplace("variant", row.variant);
-  if (claim.experiments.size() > 1) cell.axes["experiment"] = row.experiment;
+  Cell cell{row.case_name, axes_of(row), "frame", {}};
+  cell.axes.try_emplace("experiment", row.experiment);
   for (const auto& [key, value] : row.overrides) cell.axes.try_emplace(key, value);
   if (claim.phases.empty()) return {cell};
   std::vector<Cell> cells;
@@ -60,10 +71,8 @@ std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
 }
 
 std::uint64_t seed_of(const Cell& cell) {
-  Hash hash;
   const Row& row = *cell.processes.front();
-  hash.text(row.experiment).text(row.case_name).text(row.variant);
-  return hash.value();
+  return Hash().text(row.experiment).text(row.case_name).text(row.variant).value();
 }
 
 }  // namespace
@@ -71,30 +80,23 @@ std::uint64_t seed_of(const Cell& cell) {
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
   Cells result;
   std::map<std::tuple<std::map<std::string, std::string>, std::string>, std::size_t> known;
-  std::vector<bool> usable;
   for (const Row* row : rows) {
     if (!covers(claim, *row)) continue;
     result.contended += !load_warning(*row).empty();
     for (Cell& cell : empty_cells(claim, *row)) {
       const auto [place, added] = known.try_emplace({cell.axes, cell.name}, result.cells.size());
-      if (added) {
-        result.cells.push_back(std::move(cell));
-        usable.push_back(true);
+      if (added) result.cells.push_back(std::move(cell));
+      // A cell is left out, without processes, if a row is unusable, as in the tables of pelage report.
+      Cell& own = result.cells[place->second];
+      if (!added && own.processes.empty()) continue;
+      own.processes.push_back(row);
+      if (const std::string why = missing(claim, *row, own.phase); !why.empty()) {
+        result.left_out.push_back(fmt::format("{} ({})", own.name, why));
+        own.processes.clear();
       }
-      // A cell is left out if any of its rows is unusable. The tables of pelage report follow the same rule.
-      const std::size_t at = place->second;
-      if (!usable[at]) continue;
-      if (const std::string why = missing(claim, *row, result.cells[at].phase); !why.empty()) {
-        result.left_out.push_back(fmt::format("{} ({})", result.cells[at].name, why));
-        usable[at] = false;
-      }
-      result.cells[at].processes.push_back(row);
     }
   }
-  std::vector<Cell> kept;
-  for (std::size_t i = 0; i < result.cells.size(); ++i)
-    if (usable[i]) kept.push_back(std::move(result.cells[i]));
-  result.cells = std::move(kept);
+  std::erase_if(result.cells, [](const Cell& cell) { return cell.processes.empty(); });
   return result;
 }
 
@@ -112,13 +114,9 @@ Drawing::Drawing(const Claim& claim, const Cell& cell, double spread, int separa
         process.metric_deviation = (*metric.high - *metric.low) / 3.92;
       measured_metric_ = measured_units.contains(metric.unit);
     } else {
-      process.times =
-          times_of(*row, claim.quantity == Quantity::phase_time && claim.effect != Effect::ratio_by_phase
-                             ? claim.phase
-                             : cell.phase);
-      if (!claim.phase.empty() &&
-          (claim.quantity == Quantity::phase_share || claim.effect == Effect::ratio_by_phase))
-        process.phase_times = times_of(*row, claim.phase);
+      const auto [time, part] = phases_of(claim, cell.phase);
+      process.times = times_of(*row, time);
+      process.phase_times = times_of(*row, part);
     }
     if (!claim.per.empty()) process.per = row->metrics.at(claim.per).value;
     processes_.push_back(std::move(process));
@@ -126,16 +124,14 @@ Drawing::Drawing(const Claim& claim, const Cell& cell, double spread, int separa
   if (int(processes_.size()) < separate_processes) spread_ = spread;
 }
 
-double Drawing::factor() {
-  return spread_ > 0 ? std::exp(spread_ * normal_(random_)) : 1;
-}
-
 Value Drawing::value_of_pools() {
   if (claim_.quantity == Quantity::metric) return {median_reordering(metrics_), 0};
-  const double time = median_reordering(times_), per = processes_.front().per;
+  const double time = median_reordering(times_);
   if (claim_.effect == Effect::ratio_by_phase) return {median_reordering(phase_times_), time};
-  if (claim_.quantity == Quantity::phase_share) return {median_reordering(phase_times_) / time / per, 0};
-  return {(claim_.quantity == Quantity::frame_rate ? 1000 / time : time) / per, 0};
+  const double quantity = claim_.quantity == Quantity::phase_share  ? median_reordering(phase_times_) / time
+                          : claim_.quantity == Quantity::frame_rate ? 1000 / time
+                                                                    : time;
+  return {quantity / processes_.front().per, 0};
 }
 
 Value Drawing::measured() {
@@ -152,11 +148,10 @@ Value Drawing::drawn() {
   for (auto* pool : {&times_, &phase_times_, &metrics_}) pool->clear();
   for (std::size_t i = 0; i < processes_.size(); ++i) {
     const Process& process = processes_[random_() % processes_.size()];
-    const double by = factor();
+    const double by = spread_ > 0 ? std::exp(spread_ * normal_(random_)) : 1;
     if (claim_.quantity == Quantity::metric) {
       const double noise = process.metric_deviation > 0 ? process.metric_deviation * normal_(random_) : 0.0;
       metrics_.push_back((process.metric + noise) * (measured_metric_ ? by : 1) / process.per);
-      continue;
     }
     // If the phase has one sample per frame, the bootstrap draw takes the phase time and the frame time of
     // the same frame.
@@ -166,8 +161,9 @@ Value Drawing::drawn() {
       times_.push_back(process.times[sample] * by);
       if (together) phase_times_.push_back(process.phase_times[sample] * by);
     }
-    for (std::size_t s = 0; !together && s < process.phase_times.size(); ++s)
-      phase_times_.push_back(process.phase_times[random_() % process.phase_times.size()] * by);
+    if (!together)
+      std::generate_n(std::back_inserter(phase_times_), process.phase_times.size(),
+                      [&] { return process.phase_times[random_() % process.phase_times.size()] * by; });
   }
   return value_of_pools();
 }

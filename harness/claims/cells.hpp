@@ -16,7 +16,7 @@ namespace pelage::claims {
 /// separate cell.
 struct Cell {
   std::string name;  ///< name of the case, with the phase if the claim has phases
-  /// Axis -> value, with "variant", and with "experiment" if the claim has several experiments.
+  /// Axis -> value, with "variant" and "experiment".
   std::map<std::string, std::string> axes;
   std::string phase;  ///< phase whose times count as frame times: "frame", or one of `phases`
   /// The rows of the case, one per process. They belong to the caller of cells_of() and must outlive the
@@ -33,13 +33,13 @@ struct Cells {
   std::size_t contended = 0;
 };
 
-/// Returns the cells of the claim in the order of the rows, which must be from one device and host. All rows
-/// of a case must have been measured with the same inputs (input_sets()).
+/// Returns the cells of the claim in the order of the rows, which must be from its experiments, and from one
+/// device and host. All rows of a case must have been measured with the same inputs (input_sets()).
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows);
 
 /// The quantity of a cell. `frame` is the frame time in ms; only the effect ratio_by_phase uses it.
 struct Value {
-  double value = 0, frame = 0;
+  double value, frame;
 };
 
 /// Bootstrap draws of the quantity of one cell. A draw chooses processes with replacement, and then samples
@@ -61,7 +61,6 @@ class Drawing {
     double metric = 0, metric_deviation = 0, per = 1;
   };
   Value value_of_pools();
-  double factor();
 
   const Claim& claim_;
   std::vector<Process> processes_;

@@ -67,32 +67,15 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
     if (value == claim.to) to.push_back(i);
   }
   if (of.size() == 1 && to.size() == 1) return std::pair(of.front(), to.front());
-  if (of.size() > 1 || to.size() > 1)
+  if (std::max(of.size(), to.size()) > 1)
     left_out.push_back(
         fmt::format("{} (several cases differ only in their names, so the claim cannot select one)",
                     cells[group.front()].name));
-  else if (of.size() == 1 || to.size() == 1)
+  else if (of.size() != to.size())
     left_out.push_back(fmt::format("{} (there is no matching case with {} {})",
                                    cells[of.empty() ? to.front() : of.front()].name, claim.axis,
                                    of.empty() ? claim.of : claim.to));
   return {};
-}
-
-/// Sorts part.x in increasing order, and with each value its `width` consecutive cells of part.cells. Returns
-/// false if two values of x are equal or if there are fewer than `least` values.
-bool sort_by_x(Part& part, std::size_t least, std::size_t width) {
-  std::vector<std::size_t> order(part.x.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&part](std::size_t a, std::size_t b) { return part.x[a] < part.x[b]; });
-  Part sorted{part.name, {}, {}};
-  for (const std::size_t i : order) {
-    if (!sorted.x.empty() && sorted.x.back() == part.x[i]) return false;
-    sorted.x.push_back(part.x[i]);
-    for (std::size_t w = 0; w < width; ++w) sorted.cells.push_back(part.cells[i * width + w]);
-  }
-  part = std::move(sorted);
-  return part.x.size() >= least;
 }
 
 /// Adds the part whose effect is a slope: of the quantity against the claim's axis, or for ratio_trend of the
@@ -101,16 +84,15 @@ void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& 
                std::vector<Part>& parts, std::vector<std::string>& left_out) {
   const bool trend = claim.effect == Effect::ratio_trend;
   const std::string& axis = trend ? claim.across : claim.axis;
+  std::vector<std::pair<double, Group>> points;  // x, and the cells with this value
   const auto add = [&](const Group& at_one_x) {
     const Cell& cell = cells[at_one_x.front()];
     const auto x = position_of(claim, axis, cell);
-    if (!x) {
+    if (x)
+      points.emplace_back(*x, at_one_x);
+    else
       left_out.push_back(fmt::format("{} (its {} is not a number above 0)", cell.name,
                                      claim.along.empty() ? axis : claim.along));
-      return;
-    }
-    part.cells.insert(part.cells.end(), at_one_x.begin(), at_one_x.end());
-    part.x.push_back(*x);
   };
   if (trend) {
     std::map<std::string, Group> at;  // value of the axis `across` -> indices of cells
@@ -120,7 +102,12 @@ void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& 
   } else {
     for (const std::size_t i : group) add({i});
   }
-  if (sort_by_x(part, claim.values, trend ? 2 : 1))
+  std::ranges::sort(points);
+  for (const auto& [x, at_one_x] : points) {
+    part.x.push_back(x);
+    part.cells.insert(part.cells.end(), at_one_x.begin(), at_one_x.end());
+  }
+  if (points.size() >= claim.values && std::ranges::adjacent_find(part.x) == part.x.end())
     parts.push_back(std::move(part));
   else
     left_out.push_back(fmt::format("{} (the effect needs {} different values of {})",
@@ -135,8 +122,9 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
     mean_y += y[i] / double(x.size());
   }
   for (std::size_t i = 0; i < x.size(); ++i) {
-    xy += (std::log(x[i]) - mean_x) * (y[i] - mean_y);
-    xx += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
+    const double dx = std::log(x[i]) - mean_x;
+    xy += dx * (y[i] - mean_y);
+    xx += dx * dx;
   }
   return xy / xx;
 }
@@ -157,9 +145,7 @@ std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
     std::iota(all.cells.begin(), all.cells.end(), std::size_t(0));
     return {all};
   }
-  std::set<std::string> used;
-  if (!claim.axis.empty()) used.insert(claim.axis);
-  if (!claim.across.empty()) used.insert(claim.across);
+  const std::set<std::string> used{claim.axis, claim.across};
   const std::vector<std::string> telling = telling_axes(cells, used);
   for (const Group& group : groups_of(cells, used)) {
     Part part;
@@ -189,7 +175,7 @@ double effect_of(const Claim& claim, const Part& part, const std::vector<Value>&
       return 1 + (value(0) - value(1)) / values[part.cells[1]].frame;
     case Effect::elasticity: {
       std::vector<double> y;
-      for (std::size_t i = 0; i < part.cells.size(); ++i) y.push_back(std::log(value(i)));
+      for (const std::size_t i : part.cells) y.push_back(std::log(values[i].value));
       return slope(part.x, y);
     }
     case Effect::linearity: {
@@ -202,11 +188,10 @@ double effect_of(const Claim& claim, const Part& part, const std::vector<Value>&
       for (std::size_t i = 0; i < part.x.size(); ++i) y.push_back(std::log(value(2 * i) / value(2 * i + 1)));
       return slope(part.x, y);
     }
-    case Effect::share_of_cases: {
-      double count = 0;
-      for (std::size_t i = 0; i < part.cells.size(); ++i) count += value(i) >= claim.threshold;
-      return count / double(part.cells.size());
-    }
+    case Effect::share_of_cases:
+      return double(std::count_if(part.cells.begin(), part.cells.end(),
+                                  [&](std::size_t i) { return values[i].value >= claim.threshold; })) /
+             double(part.cells.size());
   }
   return value(0);
 }
