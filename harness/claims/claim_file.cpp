@@ -26,12 +26,6 @@ constexpr std::array<std::string_view, 7> effects{"level",     "ratio",       "r
                                                   "linearity", "ratio-trend", "share-of-cases"};
 constexpr std::array<std::string_view, 4> combinations{"every", "geometric-mean", "mean", "median"};
 
-void read_source(TomlTable table, Claim& claim) {
-  claim.paper = table.text("paper");
-  claim.section = table.text("section");
-  table.finish();
-}
-
 void read_rows(TomlTable table, Claim& claim) {
   claim.experiments = table.list("experiment");
   if (claim.experiments.empty()) table.refuse("experiment", "experiment = \"NAME\" is missing");
@@ -110,10 +104,10 @@ void read_relation(TomlTable table, Claim& claim) {
     if (!claim.relation.empty()) table.refuse("between", "a claim has only one relation");
     if (limits.size() != 2 || limits[0] > limits[1])
       table.refuse("between", "between needs two numbers, the smaller one first: between = [0.8, 1.25]");
-    region.low = limits[0];
-    region.high = limits[1];
-    claim.relation = limits[0] == limits[1] ? fmt::format("exactly {:g}", limits[0])
-                                            : fmt::format("between {:g} and {:g}", limits[0], limits[1]);
+    const double low = limits[0], high = limits[1];
+    region = {low, high};
+    claim.relation =
+        low == high ? fmt::format("exactly {:g}", low) : fmt::format("between {:g} and {:g}", low, high);
   }
   if (claim.relation.empty())
     table.refuse("", "the relation has no limit; give at_most, at_least, below, above, between or about");
@@ -143,7 +137,11 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   table.rename("claim " + claim.id);
   claim.statement = table.required_text("statement");
   claim.reading = table.text("reading");
-  if (const auto inner = table.inner("source")) read_source(*inner, claim);
+  if (auto inner = table.inner("source")) {
+    claim.paper = inner->text("paper");
+    claim.section = inner->text("section");
+    inner->finish();
+  }
   claim.absolute = table.choice("kind", kinds, 0) == 1;
   claim.untestable = table.text("untestable");
   if (!claim.untestable.empty()) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "harness/claims/cells.hpp"
@@ -18,13 +17,12 @@ namespace {
 
 constexpr double significance = 0.05;
 
-/// Returns the two-sided bootstrap p-value. The null hypothesis contradicts the measurement: if the measured
-/// effect is inside the region, the null hypothesis says that the true effect is outside, and vice versa.
-double p_value(const Estimate& estimate, const Region& region) {
+/// Returns how many draws contradict the measurement, because they are inside the region and it is outside,
+/// or vice versa. All effects have equally many draws, so that their p-values increase with this number.
+std::ptrdiff_t contradicting(const Estimate& estimate, const Region& region) {
   const bool inside = region.contains(estimate.value);
-  const auto opposite = std::count_if(estimate.draws.begin(), estimate.draws.end(),
-                                      [&](double draw) { return region.contains(draw) != inside; });
-  return std::min(1.0, 2 * double(opposite + 1) / double(estimate.draws.size() + 1));
+  return std::count_if(estimate.draws.begin(), estimate.draws.end(),
+                       [&](double draw) { return region.contains(draw) != inside; });
 }
 
 }  // namespace
@@ -42,79 +40,72 @@ double margin(const Region& region, double value) {
 }
 
 Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
-  const std::size_t count = estimates.size();
-  std::vector<double> p;
-  p.reserve(count);
-  for (const Estimate& estimate : estimates) p.push_back(p_value(estimate, region));
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
+  std::set<std::pair<std::ptrdiff_t, std::size_t>> order;  // contradicting draws, index of the estimate
+  for (const Estimate& one : estimates) order.emplace(contradicting(one, region), order.size());
 
-  std::vector<Verdict> found(count, Verdict::undecided);
-  std::vector<Decision> each(count);
+  std::vector<Decision> each(estimates.size());
+  std::size_t left = estimates.size();
   bool stopped = false;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = order[k];
-    const double rest = significance / double(count - k);
-    each[i].decisive = i;
-    each[i].confidence = 1 - rest;
-    each[i].interval = {quantile(estimates[i].draws, rest / 2), quantile(estimates[i].draws, 1 - rest / 2)};
+  for (const auto& [against, i] : order) {
+    const double rest = significance / double(left--);
+    const std::vector<double>& draws = estimates[i].draws;
+    const Interval interval{quantile(draws, rest / 2), quantile(draws, 1 - rest / 2)};
+    each[i] = {Verdict::undecided, i, interval, 1 - rest};
     if (stopped) continue;
-    const auto [low, high] = each[i].interval;
-    if (region.contains(low, high))
-      found[i] = Verdict::holds;
-    else if (region.outside(low, high))
-      found[i] = Verdict::fails;
+    if (region.contains(interval.low, interval.high))
+      each[i].verdict = Verdict::holds;
+    else if (region.outside(interval.low, interval.high))
+      each[i].verdict = Verdict::fails;
     else
       stopped = true;
   }
-  Verdict verdict = Verdict::holds;
-  for (const Verdict one : found) {
-    if (one == Verdict::fails) verdict = Verdict::fails;
-    if (one == Verdict::undecided && verdict == Verdict::holds) verdict = Verdict::undecided;
-  }
-  std::size_t decisive = count;
-  for (std::size_t i = 0; i < count; ++i)
-    if (found[i] == verdict &&
-        (decisive == count || margin(region, estimates[i].value) < margin(region, estimates[decisive].value)))
-      decisive = i;
-  Decision decision = each[decisive];
-  decision.verdict = verdict;
-  return decision;
+  const auto any = [&](Verdict one) { return std::ranges::count(each, one, &Decision::verdict) > 0; };
+  const Verdict verdict = any(Verdict::fails)       ? Verdict::fails
+                          : any(Verdict::undecided) ? Verdict::undecided
+                                                    : Verdict::holds;
+  return *std::ranges::min_element(each, {}, [&](const Decision& one) {
+    return std::pair(one.verdict != verdict, margin(region, estimates[one.decisive].value));
+  });
 }
 
 namespace {
+
+std::vector<double> effects_of(const Claim& claim, const std::vector<Part>& parts,
+                               const std::vector<Value>& values) {
+  std::vector<double> effects;
+  effects.reserve(parts.size());
+  for (const Part& part : parts) effects.push_back(effect_of(claim, part, values));
+  return effects;
+}
 
 /// Returns one estimate per part, or a single estimate if the claim combines the effects of its parts. More
 /// separate decisions use wider intervals, near whose limits draws are rare, and therefore need more draws.
 template <class Draw>
 std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& parts,
-                                   std::vector<Draw>& cells) {
-  const bool every = claim.combine == Combine::every;
-  std::vector<Estimate> result(every ? parts.size() : 1);
+                                   std::vector<Draw> cells) {
   std::vector<Value> values(cells.size());
-  std::vector<double> effects(parts.size());
   const auto compute = [&] {
-    for (std::size_t p = 0; p < parts.size(); ++p) effects[p] = effect_of(claim, parts[p], values);
-    return every || parts.size() == 1 ? effects : std::vector<double>{combined(claim, effects)};
+    std::vector<double> effects = effects_of(claim, parts, values);
+    if (claim.combine != Combine::every && parts.size() != 1) effects = {combined(claim, effects)};
+    return effects;
   };
-  for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].measured();
-  const std::vector<double> measured = compute();
-  for (std::size_t e = 0; e < result.size(); ++e) result[e].value = measured[e];
+  std::ranges::transform(cells, values.begin(), &Draw::measured);
+  std::vector<Estimate> result;
+  for (const double effect : compute()) result.push_back({effect, {}});
   for (std::size_t d = 0; d < std::max<std::size_t>(2000, 100 * result.size()); ++d) {
-    for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].drawn();
-    const std::vector<double> drawn = compute();
-    for (std::size_t e = 0; e < result.size(); ++e) result[e].draws.push_back(drawn[e]);
+    std::ranges::transform(cells, values.begin(), &Draw::drawn);
+    auto estimate = result.begin();
+    for (const double effect : compute()) (estimate++)->draws.push_back(effect);
   }
   return result;
 }
 
-std::vector<Estimate> estimates_of(const ClaimFile& file, const Claim& claim, const std::vector<Cell>& cells,
-                                   const std::vector<Part>& parts, double spread) {
+std::vector<Drawing> drawings_of(const ClaimFile& file, const Claim& claim, const std::vector<Cell>& cells,
+                                 double spread) {
   std::vector<Drawing> drawings;
   drawings.reserve(cells.size());
   for (const Cell& cell : cells) drawings.emplace_back(claim, cell, spread, file.separate_processes);
-  return estimates_of(claim, parts, drawings);
+  return drawings;
 }
 
 /// Adds the effect of published frame rates, if enough cases have one.
@@ -169,7 +160,7 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
   if (cells.contended > 0)
     judged.notes.push_back(
         fmt::format("{} rows were measured while other processes used the CPU", cells.contended));
-  if (count < std::max<std::size_t>(claim.cases, 1)) {
+  if (count < claim.cases) {
     judged.reason =
         fmt::format("{} of the {} effects that decide the claim are measured", count, claim.cases);
     if (cells.cells.empty() && left_out.empty()) judged.reason += "; no row has the axis values of the claim";
@@ -181,7 +172,8 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
         parts.size(), most_effects);
     return;
   }
-  const std::vector<Estimate> estimates = estimates_of(file, claim, cells.cells, parts, claim.process_spread);
+  std::vector<Drawing> drawings = drawings_of(file, claim, cells.cells, claim.process_spread);
+  const std::vector<Estimate> estimates = estimates_of(claim, parts, drawings);
   if (!finite(estimates)) {
     judged.reason = "the effect is not a finite number, because a quantity is 0, negative or not finite";
     return;
@@ -194,17 +186,16 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
   judged.effects = count;
   judged.processes = cells.cells.front().processes.size();
   for (const Cell& cell : cells.cells) judged.processes = std::min(judged.processes, cell.processes.size());
-  std::vector<Value> values;
-  for (const Cell& cell : cells.cells) values.push_back(Drawing(claim, cell, 0, 1).measured());
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const double effect = effect_of(claim, parts[p], values);
-    judged.least = p == 0 ? effect : std::min(judged.least, effect);
-    judged.most = p == 0 ? effect : std::max(judged.most, effect);
-  }
+  std::vector<Value> values(drawings.size());
+  std::ranges::transform(drawings, values.begin(), &Drawing::measured);
+  const auto [least, most] = std::ranges::minmax(effects_of(claim, parts, values));
+  judged.least = least;
+  judged.most = most;
   if (claim.combine == Combine::every && parts.size() > 1) judged.decisive = parts[decision.decisive].name;
   if (decision.verdict == Verdict::undecided)
-    explain_undecided(judged, decide(estimates_of(file, claim, cells.cells, parts, 0), claim.region),
-                      std::size_t(file.separate_processes));
+    explain_undecided(
+        judged, decide(estimates_of(claim, parts, drawings_of(file, claim, cells.cells, 0)), claim.region),
+        std::size_t(file.separate_processes));
   add_paper(judged, cells.cells);
   if (!claim.hardware.empty() && judged.device.find(claim.hardware) == std::string::npos) {
     judged.verdict = Verdict::untestable;
@@ -216,9 +207,9 @@ Judged without_rows(const Claim& claim) {
   Judged judged;
   judged.claim = claim;
   judged.no_rows = claim.untestable.empty();
-  judged.reason = !claim.untestable.empty() ? claim.untestable
-                                            : fmt::format("there are no rows of the experiment {}",
-                                                          fmt::join(claim.experiments, " or "));
+  judged.reason = judged.no_rows ? fmt::format("there are no rows of the experiment {}",
+                                               fmt::join(claim.experiments, " or "))
+                                 : claim.untestable;
   return judged;
 }
 
@@ -232,7 +223,7 @@ std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& ro
         &found.row);
   std::vector<Judged> result;
   for (const Claim& claim : file.claims) {
-    bool any = false;
+    const std::size_t before = result.size();
     for (const auto& [machine, experiments] : by_machine) {
       std::vector<const Row*> own;
       for (const std::string& name :
@@ -240,14 +231,13 @@ std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& ro
         if (const auto found = experiments.find(name); found != experiments.end())
           own.insert(own.end(), found->second.begin(), found->second.end());
       if (own.empty()) continue;
-      any = true;
       Judged& judged = result.emplace_back();
       judged.claim = claim;
       judged.device = machine.first;
       judged.host = machine.second;
       judge_cells(file, judged, cells_of(claim, own));
     }
-    if (!any) result.push_back(without_rows(claim));
+    if (result.size() == before) result.push_back(without_rows(claim));
   }
   return result;
 }

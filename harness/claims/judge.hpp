@@ -16,18 +16,18 @@ std::string_view to_text(Verdict verdict);  ///< "holds", "fails", ...
 
 /// A measured effect, and its values in the bootstrap draws.
 struct Estimate {
-  double value = 0;
+  double value;
   std::vector<double> draws;
 };
 
 struct Decision {
-  Verdict verdict = Verdict::undecided;
+  Verdict verdict;
   /// Index of the decisive estimate. If the claim fails, it is the estimate farthest outside the region; if
   /// it is undecided, the undecided estimate with the smallest margin(); if it holds, that nearest to a
   /// limit.
-  std::size_t decisive = 0;
-  Interval interval;         ///< percentile interval of the decisive estimate
-  double confidence = 0.95;  ///< confidence level of `interval`; Holm's method may demand more than 0.95
+  std::size_t decisive;
+  Interval interval;  ///< percentile interval of the decisive estimate
+  double confidence;  ///< confidence level of `interval`; Holm's method may demand more than 0.95
 };
 
 /// Decides whether all m effects (m = estimates.size()) lie in the region. With Holm's method, the

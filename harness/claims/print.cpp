@@ -47,7 +47,7 @@ struct Column {
 
 const std::vector<Column>& columns() {
   static const auto if_known = [](const std::optional<double>& value, const Json& field) {
-    return value ? field : Json(nullptr);
+    return value ? field : Json();
   };
   static const std::vector<Column> all{
       {"id", [](const Judged& j) { return Json(j.claim.id); }},
@@ -63,7 +63,7 @@ const std::vector<Column>& columns() {
       {"host", [](const Judged& j) { return Json(j.host); }},
       {"measured", [](const Judged& j) { return Json(description_of(j.claim)); }},
       {"relation", [](const Judged& j) { return Json(j.claim.relation); }},
-      {"effect", [](const Judged& j) { return if_known(j.value, j.value.value_or(0)); }},
+      {"effect", [](const Judged& j) { return j.value ? Json(*j.value) : Json(); }},
       {"low", [](const Judged& j) { return if_known(j.value, j.interval.low); }},
       {"high", [](const Judged& j) { return if_known(j.value, j.interval.high); }},
       {"confidence", [](const Judged& j) { return if_known(j.value, j.confidence); }},
@@ -72,7 +72,7 @@ const std::vector<Column>& columns() {
       {"most", [](const Judged& j) { return if_known(j.value, j.most); }},
       {"decisive", [](const Judged& j) { return Json(j.decisive); }},
       {"processes", [](const Judged& j) { return if_known(j.value, j.processes); }},
-      {"paper_effect", [](const Judged& j) { return if_known(j.paper_value, j.paper_value.value_or(0)); }},
+      {"paper_effect", [](const Judged& j) { return j.paper_value ? Json(*j.paper_value) : Json(); }},
       {"paper_low", [](const Judged& j) { return if_known(j.paper_value, j.paper_interval.low); }},
       {"paper_high", [](const Judged& j) { return if_known(j.paper_value, j.paper_interval.high); }},
       {"reason", [](const Judged& j) { return Json(j.reason); }},
@@ -109,21 +109,6 @@ std::string details_of(const Judged& one) {
   return text;
 }
 
-/// Returns the claims as text. If `all` is false, leaves out the claims about experiments that have no rows.
-std::string list_of(const std::vector<Judged>& judged, bool all) {
-  std::string text, machine;
-  for (const Judged& one : judged) {
-    if (one.no_rows && !all) continue;
-    const std::string own =
-        one.device.empty() ? "" : fmt::format("{}{}{}", one.device, one.host.empty() ? "" : " on ", one.host);
-    if (!own.empty() && own != machine) text += fmt::format("Device {}\n", machine = own);
-    text += fmt::format("{:10} {}  ({}; {})\n    {}\n", to_text(one.verdict), one.claim.id,
-                        kind_of(one.claim), source_of(one.claim), one.claim.statement);
-    text += details_of(one);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string effect_text(const Judged& judged) {
@@ -135,14 +120,22 @@ std::string effect_text(const Judged& judged) {
 }
 
 std::string text_of(const std::vector<Judged>& judged, bool all) {
+  std::string text, machine;
   std::set<std::string> experiments;
   std::size_t missing = 0;
-  for (const Judged& one : judged)
+  for (const Judged& one : judged) {
     if (one.no_rows && !all) {
       ++missing;
       experiments.insert(fmt::format("{}", fmt::join(one.claim.experiments, " or ")));
+      continue;
     }
-  std::string text = list_of(judged, all);
+    const std::string own =
+        one.device.empty() ? "" : fmt::format("{}{}{}", one.device, one.host.empty() ? "" : " on ", one.host);
+    if (!own.empty() && own != machine) text += fmt::format("Device {}\n", machine = own);
+    text += fmt::format("{:10} {}  ({}; {})\n    {}\n", to_text(one.verdict), one.claim.id,
+                        kind_of(one.claim), source_of(one.claim), one.claim.statement);
+    text += details_of(one);
+  }
   if (missing > 0)
     text += fmt::format("{} of these experiments, which have no rows here: {}; --all lists {}\n",
                         missing == 1 ? "1 claim needs rows" : fmt::format("{} claims need rows", missing),

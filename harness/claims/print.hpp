@@ -10,7 +10,7 @@ namespace pelage::claims {
 
 /// Returns the claims as text for a terminal, followed by the number of claims with each verdict. If `all` is
 /// false, a line names the experiments without rows in place of the claims about them.
-std::string text_of(const std::vector<Judged>& judged, bool all = true);
+std::string text_of(const std::vector<Judged>& judged, bool all);
 
 /// Returns a table with unrounded numbers, whose first line contains the names of the columns.
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged);

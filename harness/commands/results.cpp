@@ -132,7 +132,7 @@ void use_view(std::vector<FoundRow>& rows, const std::string& file) {
 void print_judged(std::vector<claims::Judged> claims) {
   const std::size_t untestable = std::erase_if(
       claims, [](const claims::Judged& one) { return one.verdict == claims::Verdict::untestable; });
-  if (!claims.empty()) fmt::print("{}", claims::text_of(claims));
+  if (!claims.empty()) fmt::print("{}", claims::text_of(claims, true));
   if (untestable > 0)
     fmt::print("{} {}claims are untestable with these rows; tables/claims.csv gives the reasons\n",
                untestable, claims.empty() ? "" : "further ");

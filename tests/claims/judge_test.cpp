@@ -186,7 +186,7 @@ TEST(Printing, ShowsEffectIntervalVerdictAndReason) {
               "[[claim]]\nid = \"none\"\nstatement = \"a | b\"\nsource = { paper = \"p\", section = \"2\" }\n"
               "untestable = \"no rows, yet\"\n"),
       two_rows());
-  const std::string text = text_of(list);
+  const std::string text = text_of(list, true);
   pelage::test::expect_has(
       text, {"holds      c  (shape; )\n",
              "frame time with layers = 64, divided by the value with layers = 16; each case: 3 [",
