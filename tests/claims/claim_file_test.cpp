@@ -77,7 +77,7 @@ untestable = "there are none"
       "frame rate with layers = 64, divided by the value with layers = 16; geometric mean over the cases; "
       "one process drew the cases alternately");
   EXPECT_EQ(file.claims[1].untestable, "there are none");
-  EXPECT_DOUBLE_EQ(file_of(claim_text("name = \"level\"", "{ above = 1 }")).claims[0].process_spread, 0.07);
+  EXPECT_DOUBLE_EQ(file_of(claim_text("", "{ above = 1 }")).claims[0].process_spread, 0.07);
 }
 
 TEST(ClaimFiles, ReadEveryRelation) {
@@ -94,6 +94,7 @@ TEST(ClaimFiles, ReadEveryRelation) {
   EXPECT_FALSE(region("{ between = [1, 2] }").contains(2.5));
   EXPECT_FALSE(region("{ about = -1, tolerance = 0.1 }").contains(-0.8));
   EXPECT_TRUE(region("{ about = -1, tolerance = 0.1 }").contains(-1.05));
+  EXPECT_TRUE(region("{ about = 1, tolerance = 0 }").contains(1));
   EXPECT_TRUE(region("\"decreasing\"").contains(-0.1));
   EXPECT_FALSE(region("\"decreasing\"").contains(0));
   EXPECT_TRUE(region("\"increasing\"").contains(0.1));
@@ -175,6 +176,8 @@ TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
             ":4: claim c: rows: cases = 0 is not between 1 and 1e+06"},
            {claim_text(level, limit) + "process_spread = 1.5\n",
             ":7: claim c: process_spread = 1.5 is not between 0 and 1"},
+           {"process_spread = 1.5\n" + claim_text(level, limit),
+            ":1: process_spread = 1.5 is not between 0 and 1"},
            {claim_text(level, limit) + claim_text(level, limit), ":7: two claims have the id c"}})
     EXPECT_EQ(message(text), "claims.toml" + wanted);
   EXPECT_EQ(message("[[claim]\n").substr(0, 23), "claims.toml:1: not TOML");

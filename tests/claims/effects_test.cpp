@@ -72,7 +72,10 @@ TEST(Effects, RatioByPhaseIgnoresTheOtherPhases) {
 TEST(Effects, ElasticityIsTheExponent) {
   std::vector<FoundRow> rows;
   for (const int n : {16, 32, 64}) rows.push_back(row({{"layers", std::to_string(n)}}, 5 * std::pow(n, 0.7)));
-  EXPECT_NEAR(effect_of(rows, "name = \"elasticity\", axis = \"layers\""), 0.7, rounding);
+  const std::string by_layers = "name = \"elasticity\", axis = \"layers\"";
+  EXPECT_NEAR(effect_of(rows, by_layers), 0.7, rounding);
+  EXPECT_EQ(effect_of({row({{"layers", "16"}}, 10), row({{"layers", "64"}}, 10)}, by_layers), 0)
+      << "equal times neither decrease nor increase";
   // For picture sizes, the elasticity uses the number of pixels. Four times the pixels take twice the time,
   // so the exponent is 0.5.
   EXPECT_NEAR(effect_of({row({{"size", "800x600"}}, 10), row({{"size", "1600x1200"}}, 20)},
@@ -119,12 +122,14 @@ TEST(Effects, RatioTrendIsTheSlopeOfTheRatio) {
 
 TEST(Effects, ShareOfCasesCountsThoseAboveTheThreshold) {
   std::vector<FoundRow> rows = layers_and_models();
+  rows[2].row.metrics["paper_fps"] = {101, "fps", "<", {}, 101.0};
   rows[3].row.metrics["paper_fps"] = {40, "fps", "<", {}, 40.0};
   const Judged share =
-      judged(rows, "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 30", any);
-  EXPECT_NEAR(share.value.value(), 0.75, rounding) << "100, 33, 50 and 25 frames per second";
+      judged(rows, "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 50", any);
+  EXPECT_NEAR(share.value.value(), 0.5, rounding) << "100, 33, 50 and 25 frames per second";
   EXPECT_EQ(share.effects, 4u);
-  EXPECT_EQ(share.paper_value, 0.0) << "half of the bound counts, 20 frames per second";
+  EXPECT_EQ(share.paper_value, 0.5) << "half of the bound counts, 50.5 and 20 frames per second";
+  rows[2].row.metrics.clear();
   rows[3].row.metrics["paper_fps"] = {1, "fps", "<", {}, 1.0};
   const std::string low = "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 0.7";
   EXPECT_EQ(judged(rows, low, any).paper_interval.low, 0) << "the draws begin at 0";
@@ -136,10 +141,14 @@ TEST(Effects, MetricsMayBeDividedByAnother) {
   one.row.metrics["triangles"] = {100, "triangles"};
   const std::string masses = "name = \"level\", quantity = \"metric\", metric = \"masses\"";
   EXPECT_NEAR(effect_of({one}, masses), 600, rounding);
-  EXPECT_NEAR(effect_of({one}, masses + ", per = \"triangles\""), 6, rounding);
+  const Judged divided = judged({one}, masses + ", per = \"triangles\"", any);
+  EXPECT_NEAR(divided.value.value(), 6, rounding);
+  EXPECT_NEAR(divided.interval.high, 6, rounding);
   one.row.metrics["paper_fps"] = {50, "fps"};
   EXPECT_NEAR(effect_of({one}, "name = \"level\", quantity = \"frame-rate\", per = \"paper_fps\""), 2,
               rounding);
+  one.row.metrics["paper_fps"] = {0, "fps"};
+  EXPECT_FALSE(judged({one}, "name = \"level\"", any).paper_value) << "no frame time follows from the rate 0";
 }
 
 TEST(Effects, OfThePapersNumbersUseItsRounding) {
@@ -154,6 +163,8 @@ TEST(Effects, OfThePapersNumbersUseItsRounding) {
   EXPECT_LT(all.paper_interval.low, all.paper_value.value());
   EXPECT_GT(all.paper_interval.high, all.paper_value.value());
   EXPECT_LT(all.paper_interval.high / all.paper_interval.low, 1.02);
+  EXPECT_NEAR(judged(rows, "name = \"level\", combine = \"median\"", any).paper_value.value(),
+              (1000.0 / 100 + 1000.0 / 90) / 2, rounding);
   rows[3].row.metrics["paper_fps"] = {1, "fps", "<", {}, 1.0};
   EXPECT_NEAR(judged(rows, effect, any).paper_value.value(), 90.0 / 267, rounding)
       << "an upper bound is no number";

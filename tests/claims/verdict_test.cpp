@@ -34,6 +34,9 @@ TEST(Verdicts, StrictLimitsExcludeTheLimit) {
   EXPECT_EQ(verdict_of(1, 0, {1.0, {}}), Verdict::holds);
   EXPECT_EQ(verdict_of(1, 0, {1.0, {}, true}), Verdict::fails);
   EXPECT_EQ(verdict_of(1, 0, {{}, 1.0, true}), Verdict::fails);
+  EXPECT_FALSE((Region{1.0, {}}).outside(0.5, 1)) << "the upper end, the limit itself, is inside";
+  EXPECT_FALSE((Region{{}, 1.0}).outside(1, 1.5));
+  EXPECT_NEAR(margin({0.8, 1.25}, 0.9), 0.1, 1e-12);
 }
 
 TEST(Verdicts, UseThe95PercentInterval) {
@@ -57,6 +60,8 @@ TEST(Verdicts, OfSeveralEffectsAreCorrectedByHolm) {
   EXPECT_NEAR(decision.confidence, 0.995, 1e-12);
   ten.back() = around(2.2, 1);
   EXPECT_EQ(decide(ten, at_most).verdict, Verdict::fails);
+  // 3% and 4% of the draws contradict. The first effect is not decided at 97.5%, which ends the procedure.
+  EXPECT_EQ(decide({outside, around(1.96, 1)}, at_most).verdict, Verdict::undecided);
 }
 
 // Nine of ten effects are far below the limit 1. Holm's method decides these nine first, and then decides the
