@@ -8,21 +8,23 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
-#include <numeric>
 #include <sstream>
+#include <string_view>
 #include <thread>
-#include <vector>
 
 #include "harness/error.hpp"
 
 namespace pelage {
 namespace {
 
-std::optional<MachineTime> machine_now() {
+/// Returns the times up to now, with the busy time of other processes only. The total is 0 if unknown.
+MachineTime others_now() {
   std::ifstream stream("/proc/stat");
   std::string line;
   std::getline(stream, line);
-  return machine_time(line, double(sysconf(_SC_CLK_TCK)));
+  MachineTime time = machine_time(line, double(sysconf(_SC_CLK_TCK))).value_or(MachineTime{});
+  time.busy_s -= 1e-3 * process_cpu_ms();
+  return time;
 }
 
 }  // namespace
@@ -44,31 +46,27 @@ Cost cost_of(const std::function<void()>& work) {
 std::optional<MachineTime> machine_time(const std::string& line, double ticks) {
   std::istringstream words(line);
   std::string name;
-  words >> name;
-  // The fields are user, nice, system, idle, iowait, irq, softirq and steal. The fields after steal hold
-  // guest time, which the fields user and nice already include.
-  std::vector<double> field;
-  for (double value = 0; field.size() < 8 && words >> value;) field.push_back(value / ticks);
-  if (name != "cpu" || field.size() < 4) return {};
-  const double total = std::accumulate(field.begin(), field.end(), 0.0);
-  const double idle = field[3] + (field.size() > 4 ? field[4] : 0);
-  return MachineTime{total - idle, total};
+  double user, nice, system, idle, iowait = 0, irq = 0, softirq = 0, steal = 0;
+  if (!(words >> name >> user >> nice >> system >> idle) || name != "cpu") return {};
+  // Old kernels end the line here. The fields after steal hold guest time, which user and nice include.
+  words >> iowait >> irq >> softirq >> steal;
+  const double busy = user + nice + system + irq + softirq + steal;
+  return MachineTime{busy / ticks, (busy + idle + iowait) / ticks};
 }
 
-std::optional<double> other_share(MachineTime before, MachineTime after, double own_s) {
+std::optional<double> other_share(MachineTime before, MachineTime after) {
   const double total = after.total_s - before.total_s;
   if (!(total > 0)) return {};
-  return std::clamp((after.busy_s - before.busy_s - own_s) / total, 0.0, 1.0);
+  return std::clamp((after.busy_s - before.busy_s) / total, 0.0, 1.0);
 }
 
-CpuWatch::CpuWatch() : machine_(machine_now()), own_ms_(process_cpu_ms()) {}
+CpuWatch::CpuWatch() : start_(others_now()) {}
 
 std::optional<double> CpuWatch::other_share() const {
-  const std::optional<MachineTime> now = machine_now();
-  if (!machine_ || !now) return {};
+  const MachineTime now = others_now();
   const double cpus = double(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
-  if (now->total_s - machine_->total_s < 0.2 * cpus) return {};
-  return pelage::other_share(*machine_, *now, (process_cpu_ms() - own_ms_) / 1000);
+  if (now.total_s - start_.total_s < 0.2 * cpus) return {};
+  return pelage::other_share(start_, now);
 }
 
 std::string load_warning(const Row& row) {
@@ -79,9 +77,10 @@ std::string load_warning(const Row& row) {
 }
 
 std::uint64_t peak_memory() {
+  constexpr std::string_view name = "VmHWM:";
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmHWM:")) return std::stoull(line.substr(6)) * 1024;
+    if (line.starts_with(name)) return std::stoull(line.substr(name.size())) * 1024;
   return 0;
 }
 

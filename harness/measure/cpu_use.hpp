@@ -15,14 +15,14 @@ double process_cpu_ms();
 
 /// Wall time and CPU time of this process for the same work, in ms.
 struct Cost {
-  double wall_ms = 0, cpu_ms = 0;
+  double wall_ms, cpu_ms;
 };
 Cost cost_of(const std::function<void()>& work);
 
 /// Times of all CPUs together since the start of the machine, in seconds, from the first line of /proc/stat.
 struct MachineTime {
-  double busy_s = 0;   ///< user code, system, interrupts, and time stolen by a hypervisor
-  double total_s = 0;  ///< busy time plus idle time
+  double busy_s;   ///< user code, system, interrupts, and time stolen by a hypervisor
+  double total_s;  ///< busy time plus idle time
 };
 
 /// Parses the first line of /proc/stat ("cpu  user nice system idle iowait irq softirq steal ..."), with
@@ -30,8 +30,8 @@ struct MachineTime {
 std::optional<MachineTime> machine_time(const std::string& line, double ticks);
 
 /// Returns the share (0 to 1) of the machine's CPU time that other processes used between `before` and
-/// `after`, when this process used `own_s` seconds. Returns nothing if the machine's counters did not change.
-std::optional<double> other_share(MachineTime before, MachineTime after, double own_s);
+/// `after`, whose busy times lack that of this process. Returns nothing if the counters did not change.
+std::optional<double> other_share(MachineTime before, MachineTime after);
 
 /// Measures the CPU time of other processes since construction.
 class CpuWatch {
@@ -43,8 +43,7 @@ class CpuWatch {
   std::optional<double> other_share() const;
 
  private:
-  std::optional<MachineTime> machine_;
-  double own_ms_;
+  MachineTime start_;
 };
 
 /// The times in a row are doubtful if other processes used more than this share of the CPU time.

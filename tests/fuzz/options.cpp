@@ -46,7 +46,7 @@ void options(std::string_view bytes) {
 void proc_stat(std::string_view bytes) {
   const auto before = machine_time(std::string(bytes), 100);
   if (!before) return;
-  if (const auto share = other_share({0, 0}, *before, 0.1))
+  if (const auto share = other_share({0.1, 0}, *before))
     expect(*share >= 0 && *share <= 1, "a share of CPU time that is not a fraction");
 }
 
