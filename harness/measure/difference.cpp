@@ -22,7 +22,6 @@ double t_quantile(double probability, double degrees) {
 }
 
 double two_sided(double t, double degrees) {
-  if (std::isinf(degrees)) return 2 * boost::math::cdf(boost::math::normal(), -t);
   return 2 * boost::math::cdf(boost::math::students_t(degrees), -t);
 }
 
@@ -33,7 +32,7 @@ double mean(const std::vector<double>& values) {
 double variance_of_mean(const std::vector<double>& values) {
   const double middle = mean(values);
   double sum = 0;
-  for (const double value : values) sum += (value - middle) * (value - middle);
+  for (const double value : values) sum += std::pow(value - middle, 2);
   return sum / double(values.size() - 1) / double(values.size());
 }
 
@@ -47,7 +46,7 @@ std::vector<double> log_medians(const Timings& timings) {
 /// Of one set of timings: the mean of the logarithms of the processes' medians, its variance, and the degrees
 /// of freedom of the variance.
 struct Mean {
-  double value = 0, variance = 0, degrees = 0;
+  double value, variance, degrees;
 };
 
 Mean mean_of(const Timings& timings) {
@@ -76,13 +75,11 @@ std::vector<double> pairs_of(const Timings& a, const Timings& b) {
   };
   const std::vector<double> in_a = log_medians(a), in_b = log_medians(b);
   std::vector<Process> all;
-  all.reserve(2 * count);
   for (std::size_t i = 0; i < count; ++i) {
     all.push_back({a.started_s[i], in_a[i], false});
     all.push_back({b.started_s[i], in_b[i], true});
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Process& x, const Process& y) { return x.started_s < y.started_s; });
+  std::ranges::stable_sort(all, {}, &Process::started_s);
   std::vector<double> result;
   for (std::size_t i = 0; i < all.size(); i += 2) {
     if (all[i].in_b == all[i + 1].in_b) return {};
@@ -97,7 +94,13 @@ struct Limits {
 };
 
 Limits limits_of(double threshold) {
-  return {threshold < 1 ? std::log1p(-threshold) : -kInfinity, std::log1p(threshold)};
+  return {std::log1p(-std::min(threshold, 1.0)), std::log1p(threshold)};
+}
+
+/// Returns the distance from the limit, in standard errors, at which decide() decides about one of `count`
+/// differences with the probability `power` in the strictest step of Holm's method.
+double errors_of(double degrees, std::size_t count, double alpha, double power) {
+  return t_quantile(1 - alpha / double(count) / 2, degrees) + t_quantile(power, degrees);
 }
 
 /// Returns the side of the limits on which the estimate is, and its distance from the nearest limit.
@@ -137,18 +140,14 @@ Interval ratio_interval(const Difference& difference, double confidence) {
 std::vector<Decision> decide(std::span<const Difference> differences, double threshold, double alpha) {
   const Limits limits = limits_of(threshold);
   std::vector<Decision> decisions;
-  std::vector<Side> sides;
   decisions.reserve(differences.size());
-  sides.reserve(differences.size());
   for (const Difference& d : differences) {
     const auto [side, distance] = place_of(d, limits);
-    sides.push_back(side);
-    decisions.push_back({Side::undecided, two_sided(distance / d.error, d.degrees), 0, {}});
+    decisions.push_back({side, two_sided(distance / d.error, d.degrees), {}, {}});
   }
   std::vector<std::size_t> order(decisions.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t x, std::size_t y) { return decisions[x].p < decisions[y].p; });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return decisions[i].p; });
   bool stopped = false;
   for (std::size_t k = 0; k < order.size(); ++k) {
     Decision& decision = decisions[order[k]];
@@ -156,26 +155,24 @@ std::vector<Decision> decide(std::span<const Difference> differences, double thr
     decision.confidence = 1 - share;
     decision.ratio = ratio_interval(differences[order[k]], decision.confidence);
     stopped = stopped || decision.p > share;
-    if (!stopped) decision.side = sides[order[k]];
+    if (stopped) decision.side = Side::undecided;
   }
   return decisions;
 }
 
 double detectable_change(const Difference& difference, std::size_t count, double threshold, double alpha,
                          double power) {
-  const double share = alpha / double(std::max<std::size_t>(1, count));
-  const double errors = t_quantile(1 - share / 2, difference.degrees) + t_quantile(power, difference.degrees);
+  const double errors = errors_of(difference.degrees, count, alpha, power);
   return std::exp(limits_of(threshold).high + errors * difference.error) - 1;
 }
 
 std::size_t processes_needed(const Difference& difference, std::size_t processes, std::size_t count,
                              double threshold, double alpha, double power) {
   if (difference.assumed) return 0;
-  const double share = alpha / double(std::max<std::size_t>(1, count));
   const double distance = place_of(difference, limits_of(threshold)).second;
   const double deviation = difference.error * std::sqrt(double(processes));
   for (std::size_t n = fewest_processes; n <= 1000; ++n) {
-    const double errors = t_quantile(1 - share / 2, double(n - 1)) + t_quantile(power, double(n - 1));
+    const double errors = errors_of(double(n - 1), count, alpha, power);
     if (errors * deviation / std::sqrt(double(n)) <= distance) return n;
   }
   return 0;

@@ -27,11 +27,11 @@ double typical_ms(const Timings& timings);
 
 /// An estimate of ln(b / a), where a and b are the typical times of the two sets.
 struct Difference {
-  double log_ratio = 0;  ///< mean logarithm of the medians in b, minus mean logarithm of the medians in a
-  double error = 0;      ///< standard error of log_ratio
-  double degrees = 0;    ///< degrees of freedom of Student's t; infinity: normal distribution
-  bool paired = false;   ///< whether the processes of a and b took turns, so that a paired t-test was used
-  bool assumed = false;  ///< whether `error` contains assumed_spread
+  double log_ratio;  ///< mean logarithm of the medians in b, minus mean logarithm of the medians in a
+  double error;      ///< standard error of log_ratio
+  double degrees;    ///< degrees of freedom of Student's t; infinity: normal distribution
+  bool paired;       ///< whether the processes of a and b took turns, so that a paired t-test was used
+  bool assumed;      ///< whether `error` contains assumed_spread
 };
 
 /// Estimates the difference from the medians of the processes: within pairs (paired t-test) if the processes
@@ -47,10 +47,10 @@ enum class Side { below, within, above, undecided };
 
 /// Whether b / a is below, within or above the limits 1 - threshold and 1 + threshold.
 struct Decision {
-  Side side = Side::undecided;
-  double p = 1;  ///< two-sided p-value for "b / a equals the nearest limit", before Holm's correction
-  double confidence = 0;  ///< confidence level of the interval `ratio`
-  Interval ratio;         ///< confidence interval of b / a at the level `confidence`
+  Side side;
+  double p;           ///< two-sided p-value for "b / a equals the nearest limit", before Holm's correction
+  double confidence;  ///< confidence level of the interval `ratio`
+  Interval ratio;     ///< confidence interval of b / a at the level `confidence`
 };
 
 /// Decides for each difference. The probability that one or more of the decisions are wrong is at most

@@ -39,11 +39,14 @@ TEST(Difference, IsWelchsTestForSeparateRuns) {
   const Interval ratio = ratio_interval(d, 0.95);
   EXPECT_NEAR(std::log(ratio.low), -0.2054832, 5e-7);
   EXPECT_NEAR(std::log(ratio.high), 3.3654832, 5e-7);
+  const Difference equal = difference_of(timings_of({0, 0, 0}, 0, 1), timings_of({0, 0, 0}, 100, 1));
+  EXPECT_FALSE(equal.assumed);
+  EXPECT_TRUE(std::isinf(equal.degrees));
 }
 
 TEST(Difference, IsThePairedTestForProcessesThatTakeTurns) {
   const Difference d = difference_of(timings_of(first, 0, 2), timings_of(second, 1, 2));
-  EXPECT_TRUE(d.paired);
+  EXPECT_TRUE(d.paired && !d.assumed);
   EXPECT_EQ(d.degrees, 9);
   EXPECT_TRUE(difference_of(timings_of({1, 2, 3}, 0, 2), timings_of({2, 4, 5}, 1, 2)).paired);
   EXPECT_NEAR(p_of(d), 0.002833, 5e-7);
@@ -52,6 +55,7 @@ TEST(Difference, IsThePairedTestForProcessesThatTakeTurns) {
   EXPECT_EQ(p_of(difference_of(timings_of(first, 0, 2), swapped)), p_of(d));
   swapped.started_s[3] += 3;
   EXPECT_FALSE(difference_of(timings_of(first, 0, 2), swapped).paired);
+  EXPECT_FALSE(difference_of({timings_of(first, 0, 2).processes}, timings_of(second, 1, 2)).paired);
 }
 
 TEST(Difference, AssumesASpreadWithFewProcesses) {
@@ -64,6 +68,8 @@ TEST(Difference, AssumesASpreadWithFewProcesses) {
   const Difference mixed = difference_of(one, timings_of({2.30, 2.31, 2.29, 2.30}, 0, 1));
   EXPECT_TRUE(mixed.assumed);
   EXPECT_GT(mixed.error, assumed_spread);
+  // Two processes that take turns are too few for pairs. Each mean has the variance assumed_spread^2 / 2.
+  EXPECT_NEAR(difference_of(timings_of({1, 1}, 0, 2), timings_of({2, 2}, 1, 2)).error, assumed_spread, 1e-12);
 }
 
 TEST(Decide, SidesOfTheLimits) {
@@ -90,6 +96,7 @@ TEST(Decide, CorrectsForTheNumberOfComparisons) {
   const std::vector<Difference> one{with_t(2.17)}, three{with_t(2.17), with_t(2.17), with_t(2.17)},
       steps{with_t(2.5), with_t(2.3), with_t(2.0)};
   EXPECT_EQ(decide(one, 0, 0.05)[0].side, Side::above);
+  EXPECT_EQ(decide(one, 0, p_of(one[0]))[0].side, Side::above) << "a p-value at the limit suffices";
   for (const Decision& d : decide(three, 0, 0.05)) EXPECT_EQ(d.side, Side::undecided);
   // The three p-values are below Holm's limits: 0.0124 <= 0.05 / 3, 0.0214 <= 0.05 / 2 and 0.0455 <= 0.05.
   for (const Decision& d : decide(steps, 0, 0.05)) EXPECT_EQ(d.side, Side::above);
@@ -132,7 +139,8 @@ TEST(Decide, ErrsWithTheProbabilityAlpha) {
 TEST(Decide, FindsTheDetectableChangeWithThePromisedPower) {
   const Difference typical{0, 0.02 * std::sqrt(2.0 / 8), 14, false, false};
   const double change = detectable_change(typical, 1, 0.02, 0.05);
-  EXPECT_GT(change, 0.02);
+  // 2.14479 and 1.34503 are the quantiles 0.975 and 0.9 of Student's t for 14 degrees of freedom.
+  EXPECT_NEAR(change, 1.02 * std::exp(0.01 * (2.14479 + 1.34503)) - 1, 1e-6);
   EXPECT_GT(detectable_change(typical, 2, 0.02, 0.05), change);
   const int above = rates_of(change, 0.02, 0.05).above;
   EXPECT_GT(above, 3480);  // 3600 decisions are expected
@@ -147,21 +155,22 @@ TEST(Decide, NeedsMoreProcessesForSmallerChanges) {
     const Difference d{std::log1p(change), 0.02 / std::sqrt(5.0), 4, true, false};
     return processes_needed(d, 5, count, 0, 0.05);
   };
+  const auto with = [](std::size_t processes) {
+    return detectable_change({0, 0.02 / std::sqrt(double(processes)), double(processes - 1), true, false}, 1,
+                             0, 0.05);
+  };
   EXPECT_EQ(needed(0.5, 1), fewest_processes);
   EXPECT_GT(needed(0.01, 1), needed(0.02, 1));
   EXPECT_GT(needed(0.01, 32), needed(0.01, 1));
-  for (const double change : {0.01, 0.02, 0.05}) {
+  for (const double change : {0.01, 0.02, 0.05, 0.072}) {
     const std::size_t n = needed(change, 1);
-    const auto with = [&](std::size_t processes) {
-      return detectable_change({0, 0.02 / std::sqrt(double(processes)), double(processes - 1), true, false},
-                               1, 0, 0.05);
-    };
     EXPECT_LE(with(n), change);
     if (n > fewest_processes) {
       EXPECT_GT(with(n - 1), change);
     }
   }
-  EXPECT_EQ(needed(1e-6, 1), 0u);
+  EXPECT_EQ(needed(1.0001 * with(1000), 1), 1000u);
+  EXPECT_EQ(needed(1.0001 * with(1001), 1), 0u) << "no advice above 1000 processes";
   EXPECT_EQ(processes_needed({0.1, 0.07, 4, false, true}, 1, 1, 0, 0.05), 0u);
 }
 
