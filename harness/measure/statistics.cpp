@@ -13,12 +13,6 @@
 namespace pelage {
 namespace {
 
-std::vector<double> sorted(std::span<const double> values) {
-  std::vector<double> result(values.begin(), values.end());
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 /// Let x_(0), ..., x_(n-1) be n values in ascending order. Returns the largest r for which the probability
 /// that [x_(r), x_(n-1-r)] contains the median of the distribution is at least `confidence`. Returns -1 if
 /// there is no such r.
@@ -27,10 +21,7 @@ std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   // The number X of values below the median m is binomially distributed.
   const boost::math::binomial_distribution<double> below(double(n), 0.5);
   // m is below x_(r) with the probability P(X <= r), and above x_(n-1-r) with the same probability.
-  for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
-    if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
-    rank = std::ptrdiff_t(r);
-  }
+  while (2 * boost::math::cdf(below, double(rank + 1)) <= 1 - confidence) ++rank;
   return rank;
 }
 
@@ -41,7 +32,8 @@ bool has_median_interval(std::size_t count, double confidence) {
 }
 
 Interval median_interval(std::span<const double> values, double confidence) {
-  const std::vector<double> v = sorted(values);
+  std::vector<double> v(values.begin(), values.end());
+  std::ranges::sort(v);
   const auto rank = std::size_t(std::max<std::ptrdiff_t>(0, interval_rank(v.size(), confidence)));
   return {v[rank], v[v.size() - 1 - rank]};
 }
@@ -74,7 +66,7 @@ Interval mean_interval(std::span<const double> values, double confidence) {
   double mean = 0, squares = 0;
   const auto scaled = [positive](double v) { return positive ? std::log(v) : v; };
   for (const double v : values) mean += scaled(v) / count;
-  for (const double v : values) squares += (scaled(v) - mean) * (scaled(v) - mean);
+  for (const double v : values) squares += std::pow(scaled(v) - mean, 2);
   const boost::math::students_t_distribution<double> t(count - 1);
   const double reach =
       boost::math::quantile(t, (1 + confidence) / 2) * std::sqrt(squares / (count - 1) / count);
@@ -91,20 +83,19 @@ Drift drift_of(std::span<const double> values) {
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(values[i * values.size() / count]);
   std::vector<double> slopes;
   double rises = 0;  // Kendall's S: number of rising pairs minus number of falling pairs
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i + 1; j < count; ++j) {
+  for (std::size_t j = 1; j < count; ++j)
+    for (std::size_t i = 0; i < j; ++i) {
       slopes.push_back((chosen[j] - chosen[i]) / double(j - i));
       rises += double(chosen[j] > chosen[i]) - double(chosen[j] < chosen[i]);
     }
   std::map<double, double> times;  // value -> number of samples with this value
   for (const double v : chosen) ++times[v];
+  if (times.size() == 1) return {};
   const auto term = [](double n) { return n * (n - 1) * (2 * n + 5); };
   double variance = term(double(count));
   for (const auto& [value, n] : times) variance -= term(n);
-  variance /= 18;
-  if (!(variance > 0)) return {};
   // The continuity correction reduces the absolute value of Kendall's S (`rises`) by 1.
-  const double z = std::max(0.0, std::abs(rises) - 1) / std::sqrt(variance);
+  const double z = std::max(0.0, std::abs(rises) - 1) / std::sqrt(variance / 18);
   return {median(slopes) * double(count - 1) / median(chosen),
           2 * boost::math::cdf(boost::math::normal(), -z)};
 }

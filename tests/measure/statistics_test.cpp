@@ -3,30 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <random>
 
 namespace pelage {
 namespace {
 
-// The expected 95% intervals of the median come from the tables of the sign test in Conover, Practical
-// Nonparametric Statistics. For example, the interval of 10 sorted values runs from the 2nd to the 9th value.
-TEST(Statistics, OrderStatisticsOfTheTables) {
-  for (const auto& [n, low, high] : {std::tuple{6, 1, 6}, {10, 2, 9}, {20, 6, 15}, {30, 10, 21}}) {
-    std::vector<double> v{};
-    for (int i = n; i >= 1; --i) v.push_back(i);
-    const Interval interval = median_interval(v);
-    EXPECT_EQ(interval.low, low) << n;
-    EXPECT_EQ(interval.high, high) << n;
-  }
-}
-
-// The expected ranks come from an earlier implementation without Boost.Math. median_interval() must return
-// the same ranks, because otherwise the intervals of recorded results would change.
-TEST(Statistics, OrderStatisticsOfManyValues) {
-  for (const auto& [n, low] : {std::pair{7, 1}, {25, 8}, {40, 14}, {100, 40}, {500, 228}, {5000, 2431}}) {
+// The expected 95% intervals of the median of 6, 10, 20 and 30 values come from the tables of the sign test
+// in Conover, Practical Nonparametric Statistics. For example, the interval of 10 sorted values runs from the
+// 2nd to the 9th value. The other ranks come from an earlier implementation without Boost.Math. With other
+// ranks, the intervals of recorded results would change.
+TEST(Statistics, OrderStatistics) {
+  const std::map<int, int> lows{{6, 1},   {7, 1},   {10, 2},   {20, 6},    {25, 8},
+                                {30, 10}, {40, 14}, {100, 40}, {500, 228}, {5000, 2431}};
+  for (const auto& [n, low] : lows) {
     std::vector<double> v(std::size_t(n), 0);
-    std::iota(v.begin(), v.end(), 1);
+    std::iota(v.rbegin(), v.rend(), 1);
     const Interval interval = median_interval(v);
     EXPECT_EQ(interval.low, low) << n;
     EXPECT_EQ(interval.high, n + 1 - low) << n;
@@ -88,6 +81,8 @@ TEST(Statistics, IntervalOfTheMeanOfSeparateRuns) {
   positive.reserve(v.size());
   for (const double x : v) positive.push_back(std::exp(x));
   EXPECT_NEAR(std::log(mean_interval(positive).low), -0.5297804, 5e-8);
+  // 4.302653 is the quantile of Student's t for two degrees of freedom. The logarithm of 0 is no number.
+  EXPECT_NEAR(mean_interval(std::vector<double>{0, 1, 2}).low, 1 - 4.302653 / std::sqrt(3.0), 1e-6);
   EXPECT_FALSE(has_mean_interval(2));
 }
 
@@ -104,8 +99,9 @@ TEST(Statistics, DriftOfALineAndOfNoise) {
   EXPECT_TRUE(drifts(drift_of(line)));
   EXPECT_FALSE(drifts(drift_of(level)));
   EXPECT_GT(drift_of(level).p, 0.01);
-  EXPECT_EQ(drift_of(std::vector<double>(50, 3.0)).p, 1);  // all times are equal
-  EXPECT_EQ(drift_of(std::vector<double>{1, 2, 3}).p, 1);  // too few times
+  EXPECT_EQ(drift_of(std::vector<double>(50, 3.0)).p, 1);                   // all times are equal
+  EXPECT_EQ(drift_of(std::vector<double>{1, 2, 3, 4, 5, 6, 7}).change, 0);  // too few times
+  for (const Drift& none : {Drift{0.02, 0}, Drift{1, 0.01}}) EXPECT_FALSE(drifts(none)) << none.change;
 }
 
 // For the values 1 to 10 in rising order, Kendall's S is 45 and its variance is 125. R's cor.test(exact =
@@ -114,6 +110,13 @@ TEST(Statistics, DriftHasThePValueOfKendall) {
   std::vector<double> v(10);
   std::iota(v.begin(), v.end(), 1.0);
   EXPECT_NEAR(drift_of(v).p, 8.303e-05, 5e-8);
+  // With ties, S is 16 and its variance 48. The median slope is 1 / 6, the median 3 / 2.
+  const Drift ties = drift_of(std::vector<double>{1, 1, 1, 1, 2, 2, 2, 2});
+  EXPECT_NEAR(ties.p, std::erfc(15 / std::sqrt(96.0)), 1e-9);
+  EXPECT_NEAR(ties.change, 7.0 / 9, 1e-9);
+  v.assign(800, 1);  // of which 400 are used: every second one
+  for (std::size_t i = 1; i < v.size(); i += 2) v[i] = 2;
+  EXPECT_EQ(drift_of(v).p, 1);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(Cells, KnowWhetherTheMedianIsPreciseAndTheTimesDrift) {
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = 10 + 0.1 * double(i);
   EXPECT_FALSE(cells_of({row}).front().converged);
   EXPECT_NEAR(cells_of({row}).front().drift, 2.0 / 11, 1e-9);
-  row.row.provenance["precision"] = 0.2;
+  row.row.provenance["precision"] = relative_half_width(times);
   EXPECT_TRUE(cells_of({row}).front().converged);
   times.resize(5);  // too few for a 95% interval
   EXPECT_FALSE(cells_of({row}).front().converged);

@@ -96,6 +96,7 @@ TEST(Compare, ACaseThatFailsNowIsLost) {
   ASSERT_NE(lost, pairs.end());
   EXPECT_EQ(lost->verdict, Verdict::lost);
   EXPECT_EQ(lost->reason, "failed-check");
+  EXPECT_EQ(std::pair(lost->interval.low, lost->interval.high), std::pair(0.0, 0.0));
   EXPECT_EQ(
       std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.verdict == Verdict::lost; }), 1);
 }
