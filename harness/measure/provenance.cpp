@@ -1,5 +1,6 @@
 #include "harness/measure/provenance.hpp"
 
+#include <fmt/chrono.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -30,15 +31,6 @@ std::string first_line(const std::filesystem::path& file) {
   return line;
 }
 
-std::string utc(const char* format) {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), format, &parts);
-  return text.data();
-}
-
 /// Returns the values of a field of /proc/cpuinfo, one for each CPU.
 std::vector<std::string> cpu_values(std::string_view field) {
   std::ifstream stream("/proc/cpuinfo");
@@ -59,11 +51,11 @@ std::string os_name() {
 }  // namespace
 
 std::string utc_now() {
-  return utc("%Y-%m-%dT%H:%M:%SZ");
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
 std::string utc_stamp() {
-  return utc("%Y%m%dT%H%M%SZ");
+  return fmt::format("{:%Y%m%dT%H%M%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
 double load_average() {
@@ -84,7 +76,7 @@ double cpu_mhz() {
 
 std::string host_name() {
   std::array<char, 256> name{};
-  if (gethostname(name.data(), name.size() - 1) != 0) return "unknown";
+  if (gethostname(name.data(), name.size()) != 0) return "unknown";
   const std::string text = name.data();
   return text.substr(0, text.find('.'));
 }

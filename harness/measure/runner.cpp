@@ -160,8 +160,9 @@ RunSummary run_cases(const RunPlan& plan, const MakeSubject& make, Journal& jour
       continue;
     }
     const double left_s = plan.budget_s - seconds_since(from);
-    summary.disturbed = summary.disturbed || (left_s > 0 && listener.may_start && !listener.may_start(which));
-    if (left_s <= 0 || summary.disturbed) {
+    const bool late = left_s <= 0;
+    summary.disturbed = summary.disturbed || (!late && listener.may_start && !listener.may_start(which));
+    if (late || summary.disturbed) {
       ++summary.left;
       continue;
     }

@@ -61,9 +61,7 @@ Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingL
 }
 
 std::string implausible_events(const std::map<std::string, PhaseSamples>& samples) {
-  const auto frame = samples.find("frame");
-  if (frame == samples.end() || frame->second.wall_ms.empty()) return {};
-  const std::vector<double>&event = frame->second.event_ms, &wall = frame->second.wall_ms;
+  const std::vector<double>&event = samples.at("frame").event_ms, &wall = samples.at("frame").wall_ms;
   if (event.empty()) return {};
   for (const auto& [phase, times] : samples)
     if (!times.event_ms.empty() && times.event_ms.size() != wall.size())

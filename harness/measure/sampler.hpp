@@ -12,7 +12,7 @@ namespace pelage {
 
 /// Times of one frame in ms. Event times are absent if the device's timer does not measure real time.
 struct FrameSample {
-  double wall_ms = 0;
+  double wall_ms;
   std::map<std::string, double> phase_event_ms = {};
   /// Name -> wall time of other work that is timed together with this frame, for example a frame of a
   /// baseline.
@@ -24,10 +24,10 @@ struct FrameSample {
 };
 
 struct Sampling {
-  double first_launch_ms = 0;  ///< time of the first frame, which includes compilation and uploads
+  double first_launch_ms;  ///< time of the first frame, which includes compilation and uploads
   /// Phase -> times; "frame" is the whole frame.
   std::map<std::string, PhaseSamples> samples;
-  bool converged = false;  ///< whether the median reached the precision that the SamplingLimits require
+  bool converged;  ///< whether the median reached the precision that the SamplingLimits require
 };
 
 /// Times frames by calling `frame` until the median has the precision that `limits` requires, or until
@@ -36,7 +36,7 @@ Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingL
                       const std::function<double()>& seconds);
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits);
 
-/// Returns the reason why the event times of a case are implausible, or "". Some drivers return event times
+/// Returns the reason why the event times of timed frames are implausible, or "". Some drivers return times
 /// that are unrelated to the duration of the kernels. harness/cl/timer.hpp has another test. Event times are
 /// implausible if
 /// - some frames have none,

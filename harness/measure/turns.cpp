@@ -12,7 +12,7 @@ Turns::Turns(std::unique_ptr<Subject> first, std::vector<Turn> others, TurnRules
 
 FrameSample Turns::frame() {
   const std::size_t count = others_.size() + 1, begin = rules_.rotate ? round_++ % count : 0;
-  FrameSample sample;
+  FrameSample sample{};
   std::map<std::string, double> wall, cpu;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = (begin + i) % count;
@@ -40,7 +40,7 @@ std::vector<Check> Turns::check(const Picture& timed) {
 void Turns::describe(Row& row) {
   first_->describe(row);
   // The peak of the memory belongs to a process that contains all subjects.
-  if (!others_.empty()) row.metrics.erase("peak_memory");
+  row.metrics.erase("peak_memory");
   for (const Turn& other : others_) {
     const std::vector<double>&frame = row.samples["frame"].wall_ms, &theirs = row.samples[other.name].wall_ms;
     if (rules_.frame_over)
