@@ -91,15 +91,14 @@ void read_relation(TomlTable table, Claim& claim) {
   single("at_least", region.low, false);
   single("below", region.high, true);
   single("above", region.low, true);
-  if (table.has("about")) {
+  if (const std::optional<double> value = table.number("about")) {
     if (!claim.relation.empty()) table.refuse("about", "a claim has only one relation");
-    const double value = table.number("about").value_or(0),
-                 tolerance = table.required_number("tolerance", "the relation about");
+    const double tolerance = table.required_number("tolerance", "the relation about");
     if (tolerance < 0 || tolerance >= 1)
       table.refuse("tolerance", "tolerance must be a fraction of the number `about`, from 0 to less than 1");
-    region.low = value - tolerance * std::abs(value);
-    region.high = value + tolerance * std::abs(value);
-    claim.relation = fmt::format("{:.4g} +-{:g}%", value, 100 * tolerance);
+    region.low = *value - tolerance * std::abs(*value);
+    region.high = *value + tolerance * std::abs(*value);
+    claim.relation = fmt::format("{:.4g} +-{:g}%", *value, 100 * tolerance);
   } else if (const std::vector<double> limits = table.numbers("between"); !limits.empty()) {
     if (!claim.relation.empty()) table.refuse("between", "a claim has only one relation");
     if (limits.size() != 2 || limits[0] > limits[1])
