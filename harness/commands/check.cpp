@@ -160,9 +160,7 @@ std::vector<CheckScene> filtered(std::vector<CheckScene> cases, const std::strin
 
 int run_checks(const CheckOptions& options) {
   const std::vector<std::string> stages = options.stages.empty() ? all_stages() : options.stages;
-  const auto chosen = [&stages](std::string_view stage) {
-    return std::find(stages.begin(), stages.end(), stage) != stages.end();
-  };
+  const auto chosen = [&](std::string_view name) { return std::ranges::find(stages, name) != stages.end(); };
   std::vector<CheckScene> cases = filtered(check_scenes(options.full), options.filter);
   const cl::Device device = cl::choose_device(options.device);
   // With --mapping, the checks draw with this mapping only.

@@ -72,8 +72,7 @@ std::string contents_of(const std::vector<Entry>& entries) {
     if (&entry != &entries.front()) html += entry.level > level ? "<ul>\n" : "</li>\n";
     if (entry.level < level) html += "</ul></li>\n";
     level = entry.level;
-    const auto same = std::count_if(entries.begin(), entries.end(),
-                                    [&](const Entry& other) { return other.title == entry.title; });
+    const auto same = std::ranges::count(entries, entry.title, &Entry::title);
     std::string title = html_text(entry.title);
     if (same > 1 && !entry.detail.empty())
       title += fmt::format(" <span class=\"soft\">({})</span>", html_text(entry.detail));
@@ -180,10 +179,7 @@ void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts
   body.heading("Pictures of the timed frames", 1);
   body.remark(fmt::format(
       "{} pictures, scaled down to a width of at most {} pixels and compressed (WebP). Each row contains the hash of its picture in full size.",
-      parts.pictures.size(),
-      std::max_element(parts.pictures.begin(), parts.pictures.end(), [](auto& a, auto& b) {
-        return a.width < b.width;
-      })->width));
+      parts.pictures.size(), std::ranges::max_element(parts.pictures, {}, &PagePicture::width)->width));
   body.add("<div id=\"wipe\" class=\"scripted\"></div>\n<div class=\"grid\">\n");
   for (const PagePicture& picture : parts.pictures) {
     const Cell& cell = reports[std::size_t(picture.report)].cells[std::size_t(picture.cell)];

@@ -74,20 +74,17 @@ namespace {
 std::string settings_of(const std::vector<const FoundRow*>& rows) {
   std::map<std::string, std::map<std::string, std::string>> cases;  // name of the case -> key -> value
   for (const FoundRow* found : rows) {
-    const auto settings = found->row.provenance.find("settings");
-    if (settings == found->row.provenance.end() || !settings->is_object()) continue;
+    const auto settings = found->row.provenance.value("settings", nlohmann::ordered_json());
+    if (!settings.is_object()) continue;
     std::string name = found->row.case_name;
     for (const auto& [key, value] : found->row.overrides) name += fmt::format("; {}={}", key, value);
-    for (const auto& [key, value] : settings->items())
+    for (const auto& [key, value] : settings.items())
       cases[name][key] = value.is_string() ? value.get<std::string>() : value.dump();
   }
   if (cases.empty()) return {};
   std::map<std::string, std::string> shared = cases.begin()->second;
   for (const auto& [name, keys] : cases)
-    std::erase_if(shared, [&, &own = keys](const auto& entry) {
-      const auto found = own.find(entry.first);
-      return found == own.end() || found->second != entry.second;
-    });
+    std::erase_if(shared, [&own = keys](const auto& one) { return found_in(own, one.first) != one.second; });
   std::string text = "  scene keys of all cases that differ from the defaults:\n";
   for (const auto& [key, value] : shared) text += fmt::format("    {} = {}\n", key, value);
   for (const auto& [name, keys] : cases) {
@@ -115,16 +112,15 @@ std::string provenance_of(const std::vector<FoundRow>& rows) {
   for (const auto& [run, members] : runs) {
     text += fmt::format("run {} ({}, {} rows)\n", run.first, run.second, members.size());
     std::map<std::string, std::set<std::string>> values;
-    std::string first, last;
+    std::set<std::string> times;
     for (const FoundRow* member : members) {
       for (const auto& [key, value] : member->row.provenance.items())
         if (!of_a_row.contains(key))
           values[key].insert(value.is_string() ? value.get<std::string>() : value.dump());
-      const std::string utc = member->row.provenance.value("utc", "");
-      if (first.empty() || utc < first) first = utc;
-      last = std::max(last, utc);
+      times.insert(provenance_text(member->row, "utc"));
     }
-    text += fmt::format("  from {} to {}\n  device: {}\n", first, last, members.front()->row.device);
+    text += fmt::format("  from {} to {}\n  device: {}\n", *times.begin(), *times.rbegin(),
+                        members.front()->row.device);
     for (const auto& [key, set] : values) {
       text += fmt::format("  {}:", key);
       for (const std::string& value : set) text += fmt::format(" {}{}", value, set.size() > 1 ? ";" : "");

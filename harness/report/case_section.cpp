@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -24,7 +25,7 @@ constexpr std::size_t fewest_variants = 4;
 std::vector<std::string> metric_columns(const Table& table, std::vector<std::string> names) {
   for (std::string& name : names) {
     std::string own = fmt::format("metric.{}", name);
-    if (column_of(table, own) >= 0) name = std::move(own);
+    if (has_column(table, own)) name = std::move(own);
   }
   return names;
 }
@@ -50,14 +51,10 @@ std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
 /// groups of columns for the values of all axes that vary.
 Section of_variants(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
   const auto means = by_fastest(cells);
-  const auto mean = [&](const Cell& c) -> std::optional<double> {
-    const auto found = means.find(c.variant);
-    return found == means.end() ? std::nullopt : std::optional(found->second);
-  };
-  std::stable_sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) {
-    return std::tuple(!mean(a), mean(a).value_or(0), a.variant) <
-           std::tuple(!mean(b), mean(b).value_or(0), b.variant);
-  });
+  const auto mean = [&](const Cell& c) { return found_in(means, c.variant); };
+  constexpr double last = std::numeric_limits<double>::infinity();  // for variants without a time
+  std::ranges::stable_sort(cells, {},
+                           [&](const Cell& c) { return std::pair(mean(c).value_or(last), c.variant); });
   auto columns = case_columns(cells);
   columns.push_back({{"by_fastest", "times"}, [&](const Cell& c) {
                        Value value = number_value(mean(c));
@@ -96,9 +93,9 @@ std::string steps_remark(const std::vector<Cell>& cells) {
   std::map<std::string, std::set<double>> steps;  // variant -> numbers
   std::set<double> all;
   for (const Cell& c : cells)
-    if (const auto found = c.metrics.find("substeps"); found != c.metrics.end()) {
-      steps[c.variant].insert(found->second.value);
-      all.insert(found->second.value);
+    if (const Metric* metric = c.metric("substeps")) {
+      steps[c.variant].insert(metric->value);
+      all.insert(metric->value);
     }
   if (all.size() < 2) return {};
   std::string text;
@@ -110,9 +107,7 @@ std::string steps_remark(const std::vector<Cell>& cells) {
 }
 
 std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
-  const auto shows = [&](const char* name) {
-    return std::find(values.begin(), values.end(), name) != values.end();
-  };
+  const auto shows = [&](const char* name) { return std::ranges::find(values, name) != values.end(); };
   std::vector<std::string> remarks;
   if (shows("median_ms"))
     remarks.emplace_back("Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");

@@ -16,13 +16,10 @@
 namespace pelage {
 namespace {
 
-/// The columns of the axes are sorted: first the model, then all other axes, then the number of layers, then
-/// the picture size.
-int rank(const std::string& axis) {
-  if (axis == "model") return 0;
-  if (axis == "layers") return 2;
-  if (axis == "size") return 3;
-  return 1;
+/// The columns of the axes are sorted by rank and then by name: first the model, then all other axes, then
+/// the number of layers and the picture size.
+std::pair<bool, bool> rank(const std::string& axis) {
+  return {axis != "model", axis == "layers" || axis == "size"};
 }
 
 std::vector<std::string> axes_of(const std::vector<Cell>& cells) {
@@ -31,8 +28,7 @@ std::vector<std::string> axes_of(const std::vector<Cell>& cells) {
     for (const auto& [axis, value] : c.axes)
       if (axis != "variant") names.insert(axis);
   std::vector<std::string> sorted(names.begin(), names.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(sorted, {}, rank);
   return sorted;
 }
 
@@ -73,11 +69,8 @@ void add_phases(std::vector<CellColumn>& columns, const std::vector<Cell>& cells
   for (const Cell& c : cells)
     for (const auto& [phase, ms] : c.phase_ms) phases.insert(phase);
   for (const std::string& phase : phases)
-    columns.push_back({{phase + "_ms", phase + ", ms"}, [phase](const Cell& c) {
-                         const auto found = c.phase_ms.find(phase);
-                         return number_value(found == c.phase_ms.end() ? std::nullopt
-                                                                       : std::optional(found->second));
-                       }});
+    columns.push_back({{phase + "_ms", phase + ", ms"},
+                       [phase](const Cell& c) { return number_value(found_in(c.phase_ms, phase)); }});
 }
 
 void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cells) {
@@ -125,34 +118,35 @@ std::map<std::string, std::string> short_model_names(const std::vector<Cell>& ce
   return names;
 }
 
-/// Returns the number of triangles of each model; 0 if no cell of the model contains it.
+/// Returns the number of triangles of each model of which a cell contains it.
 std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells) {
   std::map<std::string, double> counts;
-  for (const Cell& c : cells) {
-    double& count = counts[c.axis("model")];
-    if (const Metric* metric = c.metric("triangles")) count = std::max(count, metric->value);
-  }
+  for (const Cell& c : cells)
+    if (const Metric* metric = c.metric("triangles")) {
+      double& count = counts[c.axis("model")];
+      count = std::max(count, metric->value);
+    }
   return counts;
 }
 
-bool is_key(const std::string& column, const std::vector<Cell>& cells) {
-  return column == "variant" ||
-         std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(column); });
+/// If there are more than five texts, replaces the others by one text: "3 others".
+void shorten(std::vector<std::string>& texts, std::string_view others) {
+  constexpr std::size_t most = 5;
+  if (texts.size() <= most) return;
+  std::string rest = fmt::format("{} {}", texts.size() - most, others);
+  texts.resize(most);
+  texts.push_back(std::move(rest));
 }
 
-constexpr std::size_t most_sets = 5, most_names = 5;
-
-/// Returns the names in parentheses, because they may contain commas: "(a), (b) and (c)", or "... and 3
-/// others".
-std::string list_text(const std::vector<std::string>& names) {
-  std::string text;
-  const std::size_t shown = std::min(names.size(), most_names);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool last = i + 1 == names.size();
-    text += fmt::format("{}({})", i == 0 ? "" : last ? " and " : ", ", names[i]);
-  }
-  if (names.size() > shown) text += fmt::format(" and {} others", names.size() - shown);
-  return text;
+/// Returns two or more names in parentheses, because they may contain commas: "(a), (b) and (c)", or "... and
+/// 3 others".
+std::string list_text(const std::set<std::string>& names) {
+  std::vector<std::string> texts(names.size());
+  std::ranges::transform(names, texts.begin(), [](const auto& name) { return fmt::format("({})", name); });
+  shorten(texts, "others");
+  const std::string last = std::move(texts.back());
+  texts.pop_back();
+  return fmt::format("{} and {}", fmt::join(texts, ", "), last);
 }
 
 }  // namespace
@@ -161,19 +155,16 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   std::vector<CellColumn> columns;
   const auto triangles = triangles_by_model(cells);
   const auto short_names = short_model_names(cells);
-  const bool counted =
-      std::any_of(triangles.begin(), triangles.end(), [](const auto& t) { return t.second > 0; });
   for (const std::string& axis : axes_of(cells)) {
     columns.push_back({axis_column(axis), [axis, short_names](const Cell& c) {
                          Value value = text_value(c.axis(axis));
-                         const auto found = short_names.find(value.data);
-                         if (axis == "model" && found != short_names.end()) value.shown = found->second;
+                         if (axis == "model")
+                           value.shown = found_in(short_names, value.data).value_or(value.data);
                          return value;
                        }});
-    if (axis == "model" && counted)
+    if (axis == "model" && !triangles.empty())
       columns.push_back({{"triangles", "triangles"}, [triangles](const Cell& c) {
-                           const double count = triangles.at(c.axis("model"));
-                           return count_value(count > 0 ? std::optional(count) : std::nullopt);
+                           return count_value(found_in(triangles, c.axis("model")));
                          }});
   }
   const auto text = [&](const char* name, std::string (*of)(const Cell&)) {
@@ -225,6 +216,15 @@ Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& co
   return table;
 }
 
+bool has_column(const Table& table, std::string_view name) {
+  return column_of(table, name) >= 0;
+}
+
+bool is_key(const std::string& column, const std::vector<Cell>& cells) {
+  return column == "variant" ||
+         std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(column); });
+}
+
 std::set<std::string> values_of(const Table& table, const std::string& column) {
   std::set<std::string> values;
   for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, column))].data);
@@ -241,20 +241,20 @@ std::vector<std::string> varying_keys(const Table& table, const std::vector<Cell
 void add_varying_keys(Table& table, const std::vector<Cell>& cells) {
   Layout& layout = table.layout;
   for (const std::string& name : varying_keys(table, cells)) {
-    const auto has = [&](const std::vector<std::string>& list) {
-      return std::find(list.begin(), list.end(), name) != list.end();
-    };
+    const auto has = [&](const auto& list) { return std::ranges::find(list, name) != list.end(); };
     if (!has(layout.blocks) && !has(layout.rows) && !has(layout.groups)) layout.rows.push_back(name);
   }
 }
 
 void show_interval(Table& table, const std::string& name) {
-  const int value = column_of(table, name), low = column_of(table, name + "_low"),
-            high = column_of(table, name + "_high");
-  if (value < 0 || low < 0 || high < 0) return;
-  for (auto& line : table.lines)
-    if (Value& v = line[std::size_t(value)]; !v.data.empty() && !line[std::size_t(low)].data.empty())
-      v.shown += fmt::format(" [{}, {}]", line[std::size_t(low)].shown, line[std::size_t(high)].shown);
+  if (!has_column(table, name + "_low") || !has_column(table, name + "_high")) return;
+  for (auto& line : table.lines) {
+    const auto value = [&](const char* end) -> Value& {
+      return line[std::size_t(column_of(table, name + end))];
+    };
+    if (!value("_low").data.empty())
+      value("").shown += fmt::format(" [{}, {}]", value("_low").shown, value("_high").shown);
+  }
 }
 
 std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
@@ -266,8 +266,7 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
   if (several_hosts) text += ", host " + any.host;
   for (const std::string& axis : axes_of(cells)) {
     const std::string value = any.axis(axis);
-    if (value.empty() || (axis == "reading" && value == "default") ||
-        !shared([&](const Cell& c) { return c.axis(axis); }))
+    if ((axis == "reading" && value == "default") || !shared([&](const Cell& c) { return c.axis(axis); }))
       continue;
     text += ", ";
     text += with_value(axis_column(axis), value);
@@ -279,17 +278,16 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
 }
 
 void sort_cells(std::vector<Cell>& cells) {
-  const auto triangles = triangles_by_model(cells);
-  std::vector<Column> axes;
-  for (const std::string& axis : axes_of(cells)) axes.push_back(axis_column(axis));
-  std::stable_sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) {
-    const double more = triangles.at(a.axis("model")) - triangles.at(b.axis("model"));
-    if (more != 0) return more < 0;
-    for (const Column& axis : axes)
-      if (const std::string left = a.axis(axis.name), right = b.axis(axis.name); left != right)
-        return precedes(axis, left, right);
-    return a.variant < b.variant;
-  });
+  // Each sort keeps the order of the previous one among equal cells, so the most important criterion is last.
+  std::ranges::stable_sort(cells, {}, &Cell::variant);
+  std::vector<std::string> axes = axes_of(cells);
+  std::reverse(axes.begin(), axes.end());
+  for (const std::string& axis : axes)
+    std::ranges::stable_sort(
+        cells, [column = axis_column(axis)](const auto& a, const auto& b) { return precedes(column, a, b); },
+        [&](const Cell& c) { return c.axis(axis); });
+  auto triangles = triangles_by_model(cells);
+  std::ranges::stable_sort(cells, {}, [&](const Cell& c) { return triangles[c.axis("model")]; });
 }
 
 std::string marks_of(const Cell& cell) {
@@ -305,15 +303,14 @@ std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {
     remarks.emplace_back("* the 95% interval of the median is wider than the preset requires.");
   if (any([](const Cell& c) { return c.contended; }))
     remarks.push_back(fmt::format(
-        "! other processes used more than {:.0f}% of the machine's CPU time while the case was timed.",
+        "! other processes used more than {:g}% of the machine's CPU time while the case was timed.",
         100 * most_other_share));
   return remarks;
 }
 
 std::string name_of(const Cell& cell, const std::string& but) {
   std::vector<std::pair<std::string, std::string>> axes(cell.axes.begin(), cell.axes.end());
-  std::stable_sort(axes.begin(), axes.end(),
-                   [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
+  std::ranges::stable_sort(axes, {}, [](const auto& axis) { return rank(axis.first); });
   std::string text;
   for (const auto& [axis, value] : axes) {
     if (axis == "variant" || axis == but || (axis == "reading" && value == "default")) continue;
@@ -330,10 +327,10 @@ std::string drift_remark(const std::vector<Cell>& cells) {
   for (const Cell& c : cells)
     if (timed(c) && c.drift != 0) names.push_back(fmt::format("{} ({:+.1f}%)", name_of(c), 100 * c.drift));
   if (names.empty()) return {};
-  const std::size_t shown = std::min(names.size(), most), others = names.size() - shown;
-  names.resize(shown);
-  return fmt::format("Times drift during the run: {}{}.", fmt::join(names, ", "),
-                     others > 0 ? fmt::format(" and {} other cases", others) : "");
+  std::string rest;
+  if (names.size() > most) rest = fmt::format(" and {} other cases", names.size() - most);
+  names.resize(std::min(names.size(), most));
+  return fmt::format("Times drift during the run: {}{}.", fmt::join(names, ", "), rest);
 }
 
 std::string equal_pictures_remark(const std::vector<Cell>& cells) {
@@ -352,10 +349,10 @@ std::vector<std::string> view_warnings(const View& view, const std::map<std::str
   std::vector<std::string> warnings;
   const auto check = [&](const char* key, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
       // Short names resemble many columns by chance.
-      const std::string near = name.size() < 4 ? "" : nearest_name(name, known);
-      if (near.empty() || edit_distance(name, near) > 2) continue;
+      if (name.size() < 4 || std::find(known.begin(), known.end(), name) != known.end()) continue;
+      const std::string near = nearest_name(name, known);
+      if (edit_distance(name, near) > 2) continue;
       warnings.push_back(fmt::format(
           "report.{} names the column {}, which is neither an axis nor a time of the table; did you mean {}?",
           key, name, near));
@@ -367,28 +364,19 @@ std::vector<std::string> view_warnings(const View& view, const std::map<std::str
 }
 
 std::string equal_pictures(const std::vector<CasePicture>& pictures) {
-  std::vector<std::pair<const CasePicture*, std::vector<std::string>>> sets;
-  for (const CasePicture& one : pictures) {
-    if (one.hash.empty()) continue;
-    const auto same = std::find_if(sets.begin(), sets.end(), [&](const auto& set) {
-      return set.first->hash == one.hash && set.first->group == one.group;
-    });
-    if (same == sets.end())
-      sets.push_back({&one, {one.name}});
-    else if (std::find(same->second.begin(), same->second.end(), one.name) == same->second.end())
-      same->second.push_back(one.name);
-  }
-  std::erase_if(sets, [](const auto& set) { return set.second.size() < 2; });
-  if (sets.empty()) return {};
   // A run measures its cases in random order, so the names are sorted.
-  for (auto& [first, names] : sets) std::sort(names.begin(), names.end());
-  std::sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::vector<std::string> texts;
-  for (const auto& [first, names] : sets)
-    if (texts.size() < most_sets) texts.push_back(list_text(names));
-  const std::size_t others = sets.size() - texts.size();
-  return fmt::format("Equal pictures: {}{}. The settings in which these cases differ change no pixel.",
-                     fmt::join(texts, "; "), others > 0 ? fmt::format("; {} other sets", others) : "");
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> names;  // hash and group -> names
+  for (const CasePicture& one : pictures)
+    if (!one.hash.empty()) names[{one.hash, one.group}].insert(one.name);
+  std::multiset<std::set<std::string>> sets;
+  for (const auto& [picture, equal] : names)
+    if (equal.size() > 1) sets.insert(equal);
+  if (sets.empty()) return {};
+  std::vector<std::string> texts(sets.size());
+  std::ranges::transform(sets, texts.begin(), list_text);
+  shorten(texts, "other sets");
+  return fmt::format("Equal pictures: {}. The settings in which these cases differ change no pixel.",
+                     fmt::join(texts, "; "));
 }
 
 }  // namespace pelage

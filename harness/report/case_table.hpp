@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/experiment/view.hpp"
@@ -31,8 +32,13 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells);
 /// Returns a table with one line per cell. Its layout is empty.
 Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns);
 
+bool has_column(const Table& table, std::string_view name);
+
 /// Returns the values of the column, which must exist.
 std::set<std::string> values_of(const Table& table, const std::string& column);
+
+/// Whether the column is an axis of the cells, or "variant".
+bool is_key(const std::string& column, const std::vector<Cell>& cells);
 
 /// Returns the names of those axes and "variant" that have several values in the table, in the order of the
 /// columns.
@@ -42,8 +48,8 @@ std::vector<std::string> varying_keys(const Table& table, const std::vector<Cell
 /// cross table.
 void add_varying_keys(Table& table, const std::vector<Cell>& cells);
 
-/// Adds the 95% interval, from the columns `name` + "_low" and `name` + "_high", to the text that readers see
-/// in the column `name`: "12.3 [12.1, 12.6]".
+/// Adds the 95% interval, from the columns `name` + "_low" and `name` + "_high" if they exist, to the text
+/// that readers see in the column `name`: "12.3 [12.1, 12.6]".
 void show_interval(Table& table, const std::string& name);
 
 /// Returns "EXPERIMENT on DEVICE", followed by what all cells have in common: values of axes, the variant if

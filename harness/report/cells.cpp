@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -21,10 +22,9 @@ namespace {
 Metric combined_metric(std::span<const Metric> values) {
   Metric result = values.front();
   std::vector<double> numbers;
-  numbers.reserve(values.size());
-  for (const Metric& metric : values) numbers.push_back(metric.value);
-  const bool equal = std::all_of(numbers.begin(), numbers.end(), [&](double v) { return v == numbers[0]; });
-  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); });
+  std::ranges::transform(values, std::back_inserter(numbers), &Metric::value);
+  const bool equal = std::ranges::all_of(numbers, [&](double v) { return v == result.value; });
+  const bool finite = std::ranges::all_of(numbers, [](double v) { return std::isfinite(v); });
   if (equal || !finite) return result;
   result.value = median(numbers);
   if (has_mean_interval(numbers.size())) {
@@ -34,8 +34,7 @@ Metric combined_metric(std::span<const Metric> values) {
     return result;
   }
   result.low = result.high = {};
-  const auto limited = [](const Metric& metric) { return metric.low && metric.high; };
-  if (!std::all_of(values.begin(), values.end(), limited)) return result;
+  if (!std::ranges::all_of(values, [](const Metric& m) { return m.low && m.high; })) return result;
   for (const Metric& metric : values) {
     result.low = std::min(result.low.value_or(*metric.low), *metric.low);
     result.high = std::max(result.high.value_or(*metric.high), *metric.high);
@@ -71,8 +70,7 @@ auto names(const Cell& c) {
 void add_times(Cell& cell, const Row& row, std::vector<double> times) {
   if (times.empty()) return;
   cell.timings.processes.push_back(std::move(times));
-  if (const auto started = row.provenance.find("started_s"); started != row.provenance.end())
-    cell.timings.started_s.push_back(started->get<double>());
+  if (const auto started = provenance_number(row, "started_s")) cell.timings.started_s.push_back(*started);
 }
 
 void add(Cell& cell, const Row& row) {
@@ -177,16 +175,13 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
     add(*place, found.row);
   }
   for (Cell& cell : cells) summarize(cell, rows);
-  std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
-    return std::tie(a.experiment, a.device, a.host) < std::tie(b.experiment, b.device, b.host);
-  });
-  for (std::size_t i = 0; i < cells.size(); ++i) cells[i].index = int(i);
+  std::ranges::stable_sort(cells, {}, [](const Cell& c) { return std::tie(c.experiment, c.device, c.host); });
+  for (int index = 0; Cell & cell : cells) cell.index = index++;
   return cells;
 }
 
 void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, const std::string& phase) {
   std::set<std::string> known;
-  bool timed = false;
   for (Cell& cell : cells) {
     cell.timings = {};
     cell.median_ms = 0;
@@ -197,9 +192,8 @@ void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, cons
       if (row.status == Status::ok) add_times(cell, row, times_of(row, phase));
     }
     if (cell.status == Status::ok) summarize_times(cell);
-    timed = timed || cell.median_ms > 0;
   }
-  if (!timed)
+  if (std::ranges::none_of(cells, timed))
     throw InputError(
         fmt::format("no row has times of the phase '{}'; the phases are {}", phase, fmt::join(known, ", ")));
 }

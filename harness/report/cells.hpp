@@ -47,11 +47,18 @@ struct Cell {
   std::string reading() const;
   std::string axis(const std::string& key) const;  ///< value of the axis; "" if the cell has no such axis
   const Metric* metric(const std::string& name) const;  ///< null if the cell has no such metric
-  double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
+  double fps() const { return 1000 / median_ms; }       ///< only for a cell with a time
 };
 
 inline bool timed(const Cell& cell) {
   return cell.status == Status::ok && cell.median_ms > 0;
+}
+
+/// Returns the value of the key; nothing if the map has no such key.
+template <class Value>
+std::optional<Value> found_in(const std::map<std::string, Value>& map, const std::string& key) {
+  const auto found = map.find(key);
+  return found == map.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// Returns the timed cell of the same variant, device and host that differs from `like` only in the axis, of
@@ -75,7 +82,7 @@ void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, cons
 /// Our frame rate divided by the frame rate that a paper published. The interval follows from the
 /// uncertainties of both; an empty `low` or `high` means that the interval has no such limit.
 struct Ratio {
-  double value = 0;
+  double value;
   std::string relation;  ///< ">" if the paper gives only an upper bound of its frame rate, else ""
   std::optional<double> low, high;
 };

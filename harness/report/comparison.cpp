@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <re2/re2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -49,48 +50,50 @@ Match match_of(const Cell& a, const Cell& b, bool one_set, const CompareBy& by) 
   return swapped ? Match{&b, &a} : Match{&a, &b};
 }
 
+/// Calls use(i, j) for each cell i of A and j of B; if they are one set, once for each two cells.
+template <class Use>
+void each_two(std::size_t a, std::size_t b, bool one_set, const Use& use) {
+  for (std::size_t i = 0; i < a; ++i)
+    for (std::size_t j = one_set ? i + 1 : 0; j < b; ++j) use(i, j);
+}
+
 std::vector<Match> equal_names(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                const CompareBy& by) {
-  std::vector<std::string> names;
-  names.reserve(b.size());
-  for (const Cell& cell : b) names.push_back(common_name(cell, by));
+  const auto name = [&](const Cell& cell) { return common_name(cell, by); };
+  std::vector<std::string> left(a.size()), right(b.size());
+  std::ranges::transform(a, left.begin(), name);
+  std::ranges::transform(b, right.begin(), name);
   std::vector<Match> matches;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const std::string name = common_name(a[i], by);
-    for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j)
-      if (names[j] == name) matches.push_back(match_of(a[i], b[j], one_set, by));
-  }
+  each_two(a.size(), b.size(), one_set, [&](std::size_t i, std::size_t j) {
+    if (left[i] == right[j]) matches.push_back(match_of(a[i], b[j], one_set, by));
+  });
   return matches;
 }
 
-/// Returns the pairs of cells of one case on two devices that `matches` does not contain. Their variants may
+/// Adds the pairs of cells of one case on two devices that `matches` does not contain. Their variants may
 /// differ (compare_cells()).
-std::vector<Match> equal_cases(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
-                               const CompareBy& by, const std::vector<Match>& matches) {
+void add_equal_cases(std::vector<Match>& matches, const std::vector<Cell>& a, const std::vector<Cell>& b,
+                     bool one_set, const CompareBy& by) {
   std::set<const Cell*> matched;
   for (const Match& m : matches) matched.insert({m.a, m.b});
-  std::vector<Match> more;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j) {
-      const Cell &x = a[i], &y = b[j];
-      if (matched.contains(&x) || matched.contains(&y) || value_of(x, by) == value_of(y, by)) continue;
-      if (x.experiment == y.experiment && x.case_name == y.case_name && x.overrides == y.overrides)
-        more.push_back(match_of(x, y, one_set, by));
-    }
-  return more;
+  each_two(a.size(), b.size(), one_set, [&](std::size_t i, std::size_t j) {
+    const Cell &x = a[i], &y = b[j];
+    if (matched.contains(&x) || matched.contains(&y) || value_of(x, by) == value_of(y, by)) return;
+    if (x.experiment == y.experiment && x.case_name == y.case_name && x.overrides == y.overrides)
+      matches.push_back(match_of(x, y, one_set, by));
+  });
 }
 
 Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
-  Pair pair;
-  pair.name = common_name(a, by);
+  Pair pair{.name = common_name(a, by),
+            .a = value_of(a, by),
+            .b = value_of(b, by),
+            .a_ms = timed(a) ? typical_ms(a.timings) : 0,
+            .b_ms = timed(b) ? typical_ms(b.timings) : 0,
+            .a_processes = a.timings.processes.size(),
+            .b_processes = b.timings.processes.size(),
+            .contended = a.contended || b.contended};
   if (by.text == "device" && a.variant != b.variant) pair.name += " -> " + b.variant;
-  pair.a = value_of(a, by);
-  pair.b = value_of(b, by);
-  pair.a_ms = timed(a) ? typical_ms(a.timings) : 0;
-  pair.b_ms = timed(b) ? typical_ms(b.timings) : 0;
-  pair.a_processes = a.timings.processes.size();
-  pair.b_processes = b.timings.processes.size();
-  pair.contended = a.contended || b.contended;
   if (timed(a) && !timed(b)) {
     pair.verdict = Verdict::lost;
     pair.reason = std::string(to_text(b.status));
@@ -128,17 +131,17 @@ void refuse_ambiguous(const std::vector<Cell>& cells, const CompareBy& by) {
   std::map<std::pair<std::string, std::string>, const Cell*> known;
   for (const Cell& cell : cells) {
     const auto [place, added] = known.try_emplace({common_name(cell, by), value_of(cell, by)}, &cell);
-    if (added) continue;
-    throw InputError(fmt::format(
-        "{}: one set of results contains two measurements of this case with different inputs ({}); compare each measurement with the other set separately",
-        place->first.first, fmt::join(differing_parts(place->second->identity, cell.identity), ", ")));
+    if (!added)
+      throw InputError(fmt::format(
+          "{}: one set of results contains two measurements of this case with different inputs ({}); compare each measurement with the other set separately",
+          place->first.first, fmt::join(differing_parts(place->second->identity, cell.identity), ", ")));
   }
 }
 
 }  // namespace
 
 CompareBy::CompareBy(const std::string& by) : text(by) {
-  if (!by.empty() && by != "device" && by != "variant" && !(by.starts_with("axes.") && by.size() > 5))
+  if (!by.empty() && by != "device" && by != "variant" && (!by.starts_with("axes.") || by == "axes."))
     throw InputError(fmt::format("--by '{}' is not device, variant or axes.KEY", by));
 }
 
@@ -147,10 +150,7 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
   refuse_ambiguous(a, by);
   refuse_ambiguous(b, by);
   std::vector<Match> matches = equal_names(a, b, one_set, by);
-  if (by.text == "device") {
-    const std::vector<Match> more = equal_cases(a, b, one_set, by, matches);
-    matches.insert(matches.end(), more.begin(), more.end());
-  }
+  if (by.text == "device") add_equal_cases(matches, a, b, one_set, by);
   std::vector<Pair> pairs;
   std::vector<std::optional<Difference>> differences;  // one per pair; empty if a time is missing
   for (const auto& [first, second] : matches) {

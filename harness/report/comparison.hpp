@@ -20,17 +20,17 @@ struct CompareBy {
 enum class Verdict { same, faster, slower, undecided, lost };
 
 struct Pair {
-  std::string name;           ///< the properties that the two compared cells have in common
-  std::string a, b;           ///< values of the property `by` in the two cells
-  double a_ms = 0, b_ms = 0;  ///< typical_ms() of both cells; 0 if a time is missing
-  std::size_t a_processes = 0, b_processes = 0;
-  bool contended = false;  ///< whether other processes disturbed the timing of A or B
-  double change = 0;       ///< b_ms / a_ms - 1; 0 if a time is missing
-  Interval interval;       ///< confidence interval of `change`; 0 to 0 if a time is missing
-  double confidence = 0;   ///< confidence level of `interval`; Holm's correction makes it at least 1 - alpha
-  double p = 1;            ///< p-value of the verdict, before Holm's correction
-  bool paired = false;     ///< whether the processes of A and B ran alternately
-  bool assumed = false;    ///< whether the test used assumed_spread, because processes were too few
+  std::string name;   ///< the properties that the two compared cells have in common
+  std::string a, b;   ///< values of the property `by` in the two cells
+  double a_ms, b_ms;  ///< typical_ms() of both cells; 0 if a time is missing
+  std::size_t a_processes, b_processes;
+  bool contended;         ///< whether other processes disturbed the timing of A or B
+  double change = 0;      ///< b_ms / a_ms - 1; 0 if a time is missing
+  Interval interval;      ///< confidence interval of `change`; 0 to 0 if a time is missing
+  double confidence = 0;  ///< confidence level of `interval`; Holm's correction makes it at least 1 - alpha
+  double p = 1;           ///< p-value of the verdict, before Holm's correction
+  bool paired = false;    ///< whether the processes of A and B ran alternately
+  bool assumed = false;   ///< whether the test used assumed_spread, because processes were too few
   /// Smallest relative increase of the time that the test finds with probability 0.9; 0 if unknown.
   double detectable = 0;
   /// Estimated number of processes per set that the test needs for a decision (processes_needed()); 0 if

@@ -35,9 +35,8 @@ std::string contended_text(const Row& row) {
 std::vector<std::string> head(const Columns& columns, std::vector<std::string> rest) {
   std::vector<std::string> fields{"experiment", "case", "variant"};
   fields.insert(fields.end(), columns.axes.begin(), columns.axes.end());
-  for (const char* name : {"overrides", "device", "host", "run_id", "repeat", "preset", "identity", "status",
-                           "reason", "contended"})
-    fields.emplace_back(name);
+  fields.insert(fields.end(), {"overrides", "device", "host", "run_id", "repeat", "preset", "identity",
+                               "status", "reason", "contended"});
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics) fields.push_back("metric." + name);
   return fields;
@@ -46,11 +45,10 @@ std::vector<std::string> head(const Columns& columns, std::vector<std::string> r
 std::vector<std::string> body(const Columns& columns, const Row& row, const std::vector<std::string>& rest) {
   std::vector<std::string> fields{row.experiment, row.case_name, row.variant};
   for (const std::string& key : columns.axes) fields.push_back(value_at(row.axes, key));
-  for (std::string text :
-       {changes_of(row.overrides, ";"), row.device, provenance_text(row, "host"), row.run_id,
-        std::to_string(row.repeat), provenance_text(row, "preset"), hash_of(row.identity),
-        std::string(to_text(row.status)), row.reason, contended_text(row)})
-    fields.push_back(std::move(text));
+  fields.insert(fields.end(),
+                {changes_of(row.overrides, ";"), row.device, provenance_text(row, "host"), row.run_id,
+                 std::to_string(row.repeat), provenance_text(row, "preset"), hash_of(row.identity),
+                 std::string(to_text(row.status)), row.reason, contended_text(row)});
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics)
     fields.push_back(row.metrics.contains(name) ? fmt::format("{:.10g}", row.metrics.at(name).value) : "");
@@ -111,10 +109,8 @@ std::string csv_by_sample(const std::vector<FoundRow>& rows) {
 namespace {
 
 std::string names_of(const Row& row) {
-  std::string text = fmt::format("{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
-                                 provenance_text(row, "host"));
-  for (const auto& [key, value] : row.overrides) text += fmt::format("|{}={}", key, value);
-  return text;
+  return fmt::format("{}|{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
+                     provenance_text(row, "host"), changes_of(row.overrides, "|"));
 }
 
 /// The identities of cases.
@@ -134,33 +130,34 @@ class Identities {
 }  // namespace
 
 std::vector<InputSet> input_sets(const std::vector<FoundRow>& rows) {
-  std::vector<InputSet> sets(1);
-  std::vector<Identities> identities(1);
-  std::vector<std::set<std::string>> differing(1);
+  struct Part {
+    InputSet set;
+    Identities identities;
+    std::set<std::string> differing;
+  };
+  std::vector<Part> parts(1);
   for (const std::vector<const FoundRow*>& group : groups_of<Identities>(rows)) {
-    const auto place = std::find_if(identities.begin(), identities.end(), [&](const Identities& set) {
-      return std::none_of(group.begin(), group.end(), [&](auto* found) { return set.conflict(*found); });
+    auto part = std::ranges::find_if(parts, [&](const Part& p) {
+      return std::ranges::none_of(group, [&](auto* found) { return p.identities.conflict(*found); });
     });
-    const auto i = std::size_t(place - identities.begin());
-    if (i == sets.size()) {
-      sets.emplace_back();
-      identities.emplace_back();
-      differing.emplace_back();
-    }
+    if (part == parts.end()) part = parts.insert(part, Part{});
     for (const FoundRow* found : group) {
-      sets[i].rows.push_back(*found);
-      identities[i].add(*found);
-      const Identity* first = identities.front().of(*found);
-      if (!first) continue;
+      part->set.rows.push_back(*found);
+      part->identities.add(*found);
+      const Identity* first = parts.front().identities.of(*found);
+      if (!first || part == parts.begin()) continue;
       if (found->row.identity.empty() || first->empty())
-        differing[i].insert("identity incomplete");
+        part->differing.insert("identity incomplete");
       else
         for (const std::string& name : differing_parts(*first, found->row.identity))
-          differing[i].insert(name);
+          part->differing.insert(name);
     }
   }
-  for (std::size_t i = 1; i < sets.size(); ++i)
-    sets[i].differs = fmt::format("{}", fmt::join(differing[i], ", "));
+  std::vector<InputSet> sets;
+  for (Part& part : parts) {
+    part.set.differs = fmt::format("{}", fmt::join(part.differing, ", "));
+    sets.push_back(std::move(part.set));
+  }
   return sets;
 }
 

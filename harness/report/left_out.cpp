@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "harness/record/shards.hpp"
@@ -14,12 +15,9 @@ constexpr std::size_t longest_reason = 300;
 
 std::string first_line(const std::string& text) {
   std::string line = text.substr(0, text.find('\n'));
-  if (line.size() > longest_reason) {
-    std::size_t end = longest_reason;
-    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
-      --end;  // inside a UTF-8 character
-    line = line.substr(0, end);
-  }
+  std::size_t end = std::min(line.size(), longest_reason);
+  while ((static_cast<unsigned char>(line[end]) & 0xc0) == 0x80) --end;  // inside a UTF-8 character
+  line.resize(end);
   if (line.size() < text.size()) line += " ...";
   return line;
 }
@@ -71,10 +69,9 @@ std::vector<LeftOut> without_numbers(const std::vector<Cell>& cells, const std::
     if (!reason.empty()) list.push_back({c.experiment, c.case_name, place_of(c), reason});
   }
   for (const FoundRow& found : rows)
-    if (const auto note = found.row.provenance.find("event_times");
-        note != found.row.provenance.end() && note->is_string())
+    if (const std::string note = provenance_text(found.row, "event_times"); !note.empty())
       list.push_back({found.row.experiment, found.row.case_name, found.journal.string(),
-                      fmt::format("event times {}", note->get<std::string>())});
+                      fmt::format("event times {}", note)});
   return list;
 }
 

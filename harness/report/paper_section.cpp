@@ -81,7 +81,7 @@ Section paper_section(std::vector<Cell> cells, const std::string& stem, const So
   if (any.reading() != "default") table.stem += "-" + any.reading();
   if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
   View view = view_of(cells);
-  if (view.x.empty() && column_of(table, "triangles") >= 0) {
+  if (view.x.empty() && has_column(table, "triangles")) {
     view.x = "triangles";
     if (view.panels.empty()) view.panels = table.layout.blocks;
     view.x_scale = view.y_scale = "log";

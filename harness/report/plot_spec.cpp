@@ -19,9 +19,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 bool is_numeric(const Table& table, const std::string& column) {
-  const auto values = values_of(table, column);
-  return std::all_of(values.begin(), values.end(),
-                     [](const std::string& v) { return v.empty() || number_of(v).has_value(); });
+  return std::ranges::all_of(values_of(table, column),
+                             [](const std::string& v) { return v.empty() || number_of(v); });
 }
 
 /// A plot has at most seven series, because readers can distinguish only about seven colours. It has at most
@@ -42,9 +41,8 @@ std::size_t combinations(const Table& table, const Names& columns) {
 
 /// Removes the column with the most values from `names` and returns it; "" if there is none.
 std::string take_largest(const Table& table, Names& names) {
-  const auto most = std::max_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-    return values_of(table, a).size() < values_of(table, b).size();
-  });
+  const auto most =
+      std::ranges::max_element(names, {}, [&](const auto& name) { return values_of(table, name).size(); });
   if (most == names.end()) return {};
   std::string name = *most;
   names.erase(most);
@@ -52,14 +50,11 @@ std::string take_largest(const Table& table, Names& names) {
 }
 
 std::string scale_of(const Table& table, const std::string& column) {
-  double least = 0, most = 0;
-  for (const std::string& text : values_of(table, column)) {
-    const auto number = number_of(text);
-    if (text.empty()) continue;
-    if (!number || *number <= 0) return "linear";
-    least = least == 0 ? *number : std::min(least, *number);
-    most = std::max(most, *number);
-  }
+  std::vector<double> numbers;
+  for (const std::string& text : values_of(table, column))
+    if (!text.empty()) numbers.push_back(number_of(text).value_or(0));
+  if (numbers.empty()) return "linear";
+  const auto [least, most] = std::ranges::minmax(numbers);
   return least > 0 && most >= 20 * least ? "log" : "linear";
 }
 
@@ -74,7 +69,7 @@ std::string suggestion(const Table& table, const std::string& name) {
 Names known(const Table& table, const Names& names, const char* key, std::vector<std::string>& notes) {
   Names result;
   for (const std::string& name : names)
-    if (column_of(table, name) >= 0)
+    if (has_column(table, name))
       result.push_back(name);
     else
       notes.push_back(fmt::format(
@@ -84,8 +79,7 @@ Names known(const Table& table, const Names& names, const char* key, std::vector
 }
 
 void erase_from(Names& names, const Names& taken) {
-  std::erase_if(names,
-                [&](const auto& n) { return std::find(taken.begin(), taken.end(), n) != taken.end(); });
+  std::erase_if(names, [&](const auto& n) { return std::ranges::find(taken, n) != taken.end(); });
 }
 
 /// Sets x, series and panels of the plot as plots_of() says.
@@ -97,7 +91,7 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
   erase_from(keys, plot.series);
   erase_from(keys, plot.panels);
   if (const Names x = known(table, view.x.empty() ? Names{} : Names{view.x}, "x", notes); !x.empty()) {
-    plot.x = x[0];
+    plot.x = x.front();
     // Each model has one number of triangles, so the model needs no series of its own.
     if (plot.x == "triangles") erase_from(keys, {"model"});
     erase_from(keys, x);
@@ -121,16 +115,15 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
     } else if (plot.panels.empty() && !rest.empty()) {
       plot.panels = {take_largest(table, rest)};
     }
-    if (plot.x.empty()) plot.x = column_of(table, "model") >= 0 ? "model" : "variant";
+    if (plot.x.empty()) plot.x = has_column(table, "model") ? "model" : "variant";
     keys = words;
     keys.insert(keys.end(), rest.begin(), rest.end());
     // Too many series make a plot unreadable. If there are too many, the keys with the fewest values define
     // panels instead of series.
     while (view.panels.empty() && view.series.empty() && keys.size() > 1 &&
            combinations(table, keys) > most_series) {
-      const auto fewest = std::min_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
-        return values_of(table, a).size() < values_of(table, b).size();
-      });
+      const auto fewest =
+          std::ranges::min_element(keys, {}, [&](const auto& key) { return values_of(table, key).size(); });
       Names more = plot.panels;
       more.push_back(*fewest);
       if (combinations(table, more) > most_panels) break;
@@ -140,9 +133,7 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
   }
   // If x is a measured number, the remaining keys (such as the time step) define no series. One line then
   // joins the cases that differ only in these keys.
-  const auto varying = varying_keys(table, cells);
-  const bool measured = plot.x != "triangles" && plot.x != "model" && plot.x != "variant" &&
-                        std::find(varying.begin(), varying.end(), plot.x) == varying.end();
+  const bool measured = plot.x != "triangles" && !is_key(plot.x, cells);
   if (!measured || plot.series.empty()) plot.series.insert(plot.series.end(), keys.begin(), keys.end());
 }
 
@@ -175,7 +166,7 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
     plot.y_scale = view.y_scale.empty() ? scale_of(table, y) : view.y_scale;
     if (y == "frame_over_baseline") plot.y_label = "frame time / frame time of the baseline", plot.guide = 1;
     if (plot.y_label.ends_with(", dB")) plot.y_scale = "linear";  // decibels are logarithms already
-    if (column_of(table, y + "_low") >= 0) plot.low = y + "_low", plot.high = y + "_high";
+    if (has_column(table, y + "_low")) plot.low = y + "_low", plot.high = y + "_high";
     plot.title = fmt::format("{} against {}: {}", plot.y_label, plot.x_label, table.subtitle);
     plot.stem = fmt::format("{}-{}", table.stem, y == "median_ms" ? "frame-time" : file_name_of(y));
     plots.push_back(std::move(plot));

@@ -15,8 +15,7 @@ double gb_per_second(const KernelWork& k) {
 
 /// Returns the name of the kernel, with its phase if another phase of the frame has the same kernel.
 std::string kernel_name(const FrameWork& frame, const KernelWork& kernel) {
-  const auto same = std::count_if(frame.kernels.begin(), frame.kernels.end(),
-                                  [&](const KernelWork& k) { return k.kernel == kernel.kernel; });
+  const auto same = std::ranges::count(frame.kernels, kernel.kernel, &KernelWork::kernel);
   return same > 1 ? fmt::format("{}, {}", kernel.kernel, kernel.phase) : kernel.kernel;
 }
 

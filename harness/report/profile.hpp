@@ -13,17 +13,17 @@ struct KernelWork {
 };
 
 struct FrameWork {
-  std::string name;                             ///< name of the case
-  double triangles = 0;                         ///< number of triangles of the mesh
-  double frame_ms = 0;                          ///< median wall time
-  double covered = 0, shaded = 0, blended = 0;  ///< numbers of fragments
+  std::string name;                 ///< name of the case
+  double triangles;                 ///< number of triangles of the mesh
+  double frame_ms;                  ///< median wall time
+  double covered, shaded, blended;  ///< numbers of fragments
   std::vector<KernelWork> kernels;
 };
 
 /// The device and its memory bandwidth (triad), as `pelage devices --measure` reports it.
 struct Bandwidth {
   std::string device;
-  double gb_s = 0;
+  double gb_s;
 };
 
 /// Returns text for a terminal.

@@ -50,21 +50,19 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   for (const auto& [reading, members] : readings) {
     std::vector<double> ratios;
     std::vector<const Cell*> known;
-    const Cell* least = nullptr;
-    for (const Cell* c : members) {
-      const auto ratio = ratio_of_pipelines(*c);
-      if (!ratio) continue;
-      ratios.push_back(*ratio);
-      known.push_back(c);
-      if (!least || *ratio < *ratio_of_pipelines(*least)) least = c;
-    }
+    for (const Cell* c : members)
+      if (const auto ratio = ratio_of_pipelines(*c)) {
+        ratios.push_back(*ratio);
+        known.push_back(c);
+      }
+    const auto least = std::ranges::min_element(ratios);
     const std::string name = reading == "default" ? "" : reading + ": ";
     sentences.push_back(
-        least
+        !known.empty()
             ? fmt::format(
                   "{}the ratios have the geometric mean {:.2f} over {} of {} cells ({}) and the minimum {:.2f} ({}).",
                   name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
-                  *ratio_of_pipelines(*least), name_of(*least, "reading"))
+                  *least, name_of(*known[std::size_t(least - ratios.begin())], "reading"))
             : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
                           members.size()));
   }
@@ -77,11 +75,9 @@ std::string overhead_of(const std::vector<Cell>& cells) {
   std::vector<double> ours, opengl;
   for (const Cell& coat : cells) {
     const Cell* plain = coat.reading() == "default" ? counterpart(cells, coat, "reading", "plain") : nullptr;
-    if (!plain || !ratio_of_pipelines(coat) || !ratio_of_pipelines(*plain)) continue;
-    const auto a = coat.phase_ms.find("opengl"), b = plain->phase_ms.find("opengl");
-    if (a == coat.phase_ms.end() || b == plain->phase_ms.end()) continue;
+    if (!plain || !coat.phase_ms.contains("opengl") || !plain->phase_ms.contains("opengl")) continue;
     ours.push_back(coat.median_ms / plain->median_ms);
-    opengl.push_back(a->second / b->second);
+    opengl.push_back(coat.phase_ms.at("opengl") / plain->phase_ms.at("opengl"));
   }
   if (ours.empty()) return {};
   return fmt::format(
@@ -106,8 +102,7 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
                           fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, marks_of(cell), m.low.value_or(0),
                                       m.high.value_or(0))};
            }};
-  const auto renderer =
-      std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return !c.renderer.empty(); });
+  const auto renderer = std::ranges::find_if(cells, [](const Cell& c) { return !c.renderer.empty(); });
   Section section = section_of(
       cells, columns, stem + "-ratio", sources,
       {{"reading"}, {"model"}, {"layers", "size"}, {"opengl_ratio"}},
@@ -120,7 +115,7 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
   add_remarks(table, {overhead_of(cells)});
   View view = view_of(cells);
   if (view == View{})
-    view = {.x = column_of(table, "model") >= 0 ? "model" : "",
+    view = {.x = has_column(table, "model") ? "model" : "",
             .y = {"opengl_ratio"},
             .panels = table.layout.blocks,
             .y_scale = "log"};

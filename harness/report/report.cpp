@@ -106,17 +106,15 @@ void drop_other_pictures(std::vector<Cell>& cells, std::vector<LeftOut>& left_ou
 /// Copies one picture for each combination of experiment, changes on the command line, model and reading: of
 /// several pictures that with the most layers, and among these the one with the smallest width.
 void copy_pictures(Report& report, const fs::path& folder) {
-  std::map<std::tuple<std::string, std::string, std::string, std::string>, const Cell*> best;
-  auto rank = [](const Cell& c) {
-    return std::pair(-std::atof(c.axis("layers").c_str()), std::atof(c.axis("size").c_str()));
-  };
-  for (const Cell& c : report.cells) {
-    if (c.status != Status::ok || !fs::is_regular_file(c.image)) continue;
-    const Cell*& chosen = best[{c.experiment, c.reading(), c.axis("model"), changes_of(c.overrides)}];
-    if (!chosen || rank(c) < rank(*chosen)) chosen = &c;
-  }
-  for (const auto& [key, cell] : best) {
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, std::vector<const Cell*>> groups;
+  for (const Cell& c : report.cells)
+    if (c.status == Status::ok && fs::is_regular_file(c.image))
+      groups[{c.experiment, c.reading(), c.axis("model"), changes_of(c.overrides)}].push_back(&c);
+  for (const auto& [key, cells] : groups) {
     const auto& [experiment, reading, model, changes] = key;
+    const Cell* cell = *std::ranges::min_element(cells, {}, [](const Cell* c) {
+      return std::pair(-std::atof(c->axis("layers").c_str()), std::atof(c->axis("size").c_str()));
+    });
     std::string name = experiment;
     for (const std::string& part : {model, reading == "default" ? "" : reading, changes})
       if (!part.empty()) name += "-" + part;
@@ -136,13 +134,12 @@ void note_load(Report& report, const std::vector<FoundRow>& rows) {
   }
   if (loaded > 0)
     report.notes.push_back(fmt::format(
-        "{} of {} rows were timed on a loaded machine: other processes used more than {:.0f}% of its CPU time (other_cpu_share in the journal)",
+        "{} of {} rows were timed on a loaded machine: other processes used more than {:g}% of its CPU time (other_cpu_share in the journal)",
         loaded, timed, 100 * most_other_share));
 }
 
 void note_copies(Report& report, const std::vector<FoundRow>& rows) {
-  const auto copied =
-      std::count_if(rows.begin(), rows.end(), [](const FoundRow& f) { return !f.copies.empty(); });
+  const auto copied = std::ranges::count_if(rows, [](const FoundRow& f) { return !f.copies.empty(); });
   if (copied > 0)
     report.notes.push_back(fmt::format(
         "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
@@ -172,15 +169,13 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
     apart.push_back(fmt::format(
         "{} of {} rows have the same names (case, variant, device and so on) as other rows but measured different inputs ({}); their files are in the folder inputs-{}, and the page shows them separately",
         sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
-  for (std::size_t i = 0; i < sets.size(); ++i)
+  reports.push_back(write_report(sets.front().rows, folder, note, apart, left_out));
+  for (std::size_t i = 1; i < sets.size(); ++i)
     reports.push_back(write_report(
-        sets[i].rows, i == 0 ? folder : folder / fmt::format("inputs-{}", i + 1), note,
-        i == 0
-            ? apart
-            : std::vector<std::string>{fmt::format(
-                  "the inputs of these rows ({}) differ from the inputs of the rows with the same names (case, variant, device and so on) in the first set",
-                  sets[i].differs)},
-        i == 0 ? left_out : std::vector<LeftOut>()));
+        sets[i].rows, folder / fmt::format("inputs-{}", i + 1), note,
+        {fmt::format(
+            "the inputs of these rows ({}) differ from the inputs of the rows with the same names (case, variant, device and so on) in the first set",
+            sets[i].differs)}));
   return reports;
 }
 

@@ -38,12 +38,11 @@ std::vector<Cell> scaling_cells(const std::vector<Cell>& cells) {
     const auto [place, added] = chosen.try_emplace(c.experiment);
     if (added) place->second = view_of({c}).program == "scaling";
     if (place->second && c.median_ms > 0 && metric(c, "triangles") > 0 && layers_of(c) > 0 &&
-        size_of(c)[1] > 0)
+        size_from_text(c.axis("size")))
       by_changes[changes_of(c.overrides)].push_back(c);
   }
-  const auto most = std::max_element(by_changes.begin(), by_changes.end(), [](const auto& a, const auto& b) {
-    return a.second.size() < b.second.size();
-  });
+  const auto most =
+      std::ranges::max_element(by_changes, {}, [](const auto& group) { return group.second.size(); });
   return most == by_changes.end() ? std::vector<Cell>{} : most->second;
 }
 
@@ -63,27 +62,26 @@ std::string scaling_csv(const std::vector<Cell>& cells) {
 
 std::string scaling_text(const std::vector<Cell>& cells) {
   std::string text;
-  double worst_double = 0, worst_64 = 0;
+  std::vector<double> doubled, by_16;
   for (const Cell& c : cells) {
     if (const Cell* twice = counterpart(cells, c, "layers", std::to_string(2 * layers_of(c)))) {
       const double ratio = twice->median_ms / c.median_ms;
       text += fmt::format("{:<20} {:>9}  {:>3} -> {:>3} layers: {:>9.2f} -> {:>9.2f} ms, {:.2f} times\n",
                           c.axis("model"), c.axis("size"), layers_of(c), layers_of(*twice), c.median_ms,
                           twice->median_ms, ratio);
-      worst_double = std::max(worst_double, ratio);
+      doubled.push_back(ratio);
     }
     if (const Cell* more = counterpart(cells, c, "layers", "64"); more && layers_of(c) == 16)
-      worst_64 = std::max(worst_64, more->median_ms / c.median_ms);
+      by_16.push_back(more->median_ms / c.median_ms);
   }
-  if (worst_double > 0)
+  if (!doubled.empty())
     text += fmt::format("A frame with twice the layers takes at most {:.2f} times as long (limit: {:.2f})\n",
-                        worst_double, most_for_doubling);
-  if (worst_64 > 0)
+                        std::ranges::max(doubled), most_for_doubling);
+  if (!by_16.empty())
     text += fmt::format("64 layers take at most {:.2f} times the time of 16 layers (limit: {:.1f})\n",
-                        worst_64, most_for_64_by_16);
-  const auto largest = std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
-    return metric(a, "peak_memory") < metric(b, "peak_memory");
-  });
+                        std::ranges::max(by_16), most_for_64_by_16);
+  const auto largest =
+      std::ranges::max_element(cells, {}, [](const Cell& c) { return metric(c, "peak_memory"); });
   if (largest != cells.end() && metric(*largest, "peak_memory") > 0)
     text += fmt::format("Most memory: {:.0f} MiB, {}\n", metric(*largest, "peak_memory") / (1 << 20),
                         largest->case_name);
@@ -96,9 +94,8 @@ std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells) {
     if (c.status == Status::ok && c.metrics.contains("frame_over_half") &&
         c.metrics.contains("frame_over_quarter"))
       result.push_back(c);
-  std::sort(result.begin(), result.end(), [](const Cell& a, const Cell& b) {
-    return std::tuple(a.device, metric(a, "triangles"), a.axis("model"), layers_of(a), size_of(a)) <
-           std::tuple(b.device, metric(b, "triangles"), b.axis("model"), layers_of(b), size_of(b));
+  std::ranges::sort(result, {}, [](const Cell& c) {
+    return std::tuple(c.device, metric(c, "triangles"), c.axis("model"), layers_of(c), size_of(c));
   });
   return result;
 }
@@ -129,19 +126,19 @@ std::string in_turns_text(const std::vector<Cell>& cells) {
   const auto shown = [](const Metric& m) {
     return fmt::format("{:.2f} [{:.2f}, {:.2f}]", m.value, m.low.value_or(m.value), m.high.value_or(m.value));
   };
-  double half = 0, quarter = 0;
+  std::vector<double> half, quarter;
   for (const Cell& c : cells) {
     const Metric &by_half = c.metrics.at("frame_over_half"), &by_quarter = c.metrics.at("frame_over_quarter");
     text += fmt::format("{:<14}{:>9.0f} triangles {:>10} {:>4} layers:  {:<20}  {}\n", c.axis("model"),
                         metric(c, "triangles"), c.axis("size"), c.axis("layers"), shown(by_half),
                         shown(by_quarter));
-    half = std::max(half, by_half.value);
-    quarter = std::max(quarter, by_quarter.value);
+    half.push_back(by_half.value);
+    quarter.push_back(by_quarter.value);
   }
   return text +
          fmt::format(
              "A frame with twice the layers takes at most {:.2f} times as long (limit: {:.2f}); a frame with four times the layers takes at most {:.2f} times as long (limit: {:.1f})\n",
-             half, most_for_doubling, quarter, most_for_64_by_16);
+             std::ranges::max(half), most_for_doubling, std::ranges::max(quarter), most_for_64_by_16);
 }
 
 }  // namespace pelage

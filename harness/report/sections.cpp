@@ -41,18 +41,14 @@ std::vector<Section> with_baseline(const std::vector<Cell>& cells, const std::st
   std::vector<Cell> compared, others;
   for (const Cell& c : cells) (variants.contains(c.variant) ? compared : others).push_back(c);
   std::vector<Section> sections = ratio_sections(compared, stem, sources);
-  if (!others.empty()) {
-    std::vector<Section> more = case_sections(others, stem, sources);
-    std::move(more.begin(), more.end(), std::back_inserter(sections));
-  }
+  if (!others.empty()) std::ranges::move(case_sections(others, stem, sources), std::back_inserter(sections));
   return sections;
 }
 
 std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string& stem,
                               const Sources& sources) {
   const auto any = [&](auto members, const char* name) {
-    return std::any_of(cells.begin(), cells.end(),
-                       [&](const Cell& c) { return (c.*members).contains(name); });
+    return std::ranges::any_of(cells, [&](const Cell& c) { return (c.*members).contains(name); });
   };
   if (any(&Cell::metrics, "opengl_ratio")) return with_baseline(cells, stem, sources);
   if (any(&Cell::metrics, "paper_fps")) return paper_sections(cells, stem, sources);
@@ -82,7 +78,7 @@ std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& 
   for (const auto& [key, group] : groups) {
     std::vector<Section> own = of_group(group, stem_of(group.front(), sources), sources);
     add_remarks(own.front().table, {equal_pictures_remark(group)});
-    std::move(own.begin(), own.end(), std::back_inserter(sections));
+    std::ranges::move(own, std::back_inserter(sections));
   }
   separate(sections);
   return sections;
@@ -99,8 +95,9 @@ std::optional<Experiment> shipped_experiment(const std::string& name) {
 std::string title_of(const std::vector<Cell>& cells) {
   for (auto c = cells.rbegin(); c != cells.rend(); ++c)
     if (!c->title.empty()) return c->title;
-  const auto found = shipped_experiment(cells.front().experiment);
-  return found && !found->title.empty() ? found->title : cells.front().experiment;
+  const std::string name = cells.front().experiment;
+  const std::string title = shipped_experiment(name).value_or(Experiment{}).title;
+  return title.empty() ? name : title;
 }
 
 Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns,
@@ -116,24 +113,22 @@ Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>
   add_varying_keys(table, cells);
   std::vector<std::string>& rows = table.layout.rows;
   if (const auto model = std::find(rows.begin(), rows.end(), "model");
-      model != rows.end() && column_of(table, "triangles") >= 0)
+      model != rows.end() && has_column(table, "triangles"))
     rows.insert(model + 1, "triangles");
-  if (rows.empty()) rows = {column_of(table, "model") >= 0 ? "model" : "variant"};
+  if (rows.empty()) rows = {has_column(table, "model") ? "model" : "variant"};
   table.remarks = std::move(remarks);
   add_footnotes(table, sources.note);
   return section;
 }
 
 void add_remarks(Table& table, const std::vector<std::string>& remarks) {
-  std::copy_if(remarks.begin(), remarks.end(), std::back_inserter(table.remarks),
-               [](const std::string& remark) { return !remark.empty(); });
+  for (const std::string& remark : remarks)
+    if (!remark.empty()) table.remarks.push_back(remark);
 }
 
-std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
-  std::vector<std::string> result;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(result),
-               [&](const auto& name) { return column_of(table, name) >= 0; });
-  return result;
+std::vector<std::string> present(const Table& table, std::vector<std::string> names) {
+  std::erase_if(names, [&](const auto& name) { return !has_column(table, name); });
+  return names;
 }
 
 void add_footnotes(Table& table, const ModelNote& note) {
@@ -162,8 +157,7 @@ void add_footnotes(Table& table, const ModelNote& note) {
 View view_of(const std::vector<Cell>& cells) {
   for (auto c = cells.rbegin(); c != cells.rend(); ++c)
     if (!c->view.is_null()) return view_from_json(c->view);
-  const auto found = shipped_experiment(cells.front().experiment);
-  return found ? found->view : View{};
+  return shipped_experiment(cells.front().experiment).value_or(Experiment{}).view;
 }
 
 }  // namespace pelage

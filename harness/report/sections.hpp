@@ -24,10 +24,10 @@ using ModelNote = std::function<std::string(const std::string& model)>;
 
 struct Sources {
   ModelNote note;
-  bool several_devices = false,  ///< true: file names contain the device
-      several_hosts = false;     ///< true: file names and subtitles contain the host
+  bool several_devices;  ///< true: file names contain the device
+  bool several_hosts;    ///< true: file names and subtitles contain the host
   /// Notes of the report; a note is added for each name in a view that is not a column of the table.
-  std::vector<std::string>* notes = nullptr;
+  std::vector<std::string>* notes;
 };
 
 /// Returns the sections of all cells: one or more for each experiment, device, host and set of changed
@@ -78,7 +78,7 @@ Section section_of(const std::vector<Cell>& cells, const std::vector<CellColumn>
 void add_remarks(Table& table, const std::vector<std::string>& remarks);
 
 /// Returns those of `names` that are columns of the table.
-std::vector<std::string> present(const Table& table, const std::vector<std::string>& names);
+std::vector<std::string> present(const Table& table, std::vector<std::string> names);
 
 /// Adds the footnotes about models to the table, and marks these models in the row headings. If these do not
 /// contain the models, adds the footnotes as remarks instead.

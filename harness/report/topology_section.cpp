@@ -43,9 +43,9 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
       if (c.axis(axis) != topology || !timed(c)) continue;
       if (const Cell* first = counterpart(cells, c, axis, topologies.front()))
         ratios.push_back(c.median_ms / first->median_ms);
-      const auto simulate = c.phase_ms.find("simulate");
-      if (simulate == c.phase_ms.end()) continue;
-      shares.push_back(simulate->second / c.median_ms);
+      const auto simulate = found_in(c.phase_ms, "simulate");
+      if (!simulate) continue;
+      shares.push_back(*simulate / c.median_ms);
       if (shares.back() >= most) most = shares.back(), worst = name_of(c, axis);
     }
     table.lines.push_back(
@@ -83,7 +83,7 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
   Table& table = section.table;
   add_remarks(table, mark_remarks(cells));
   View view = view_of(cells);
-  if (view == View{} && column_of(table, "triangles") >= 0)
+  if (view == View{} && has_column(table, "triangles"))
     view = {.x = "triangles",
             .y = table.layout.values,
             .series = {axis},
@@ -151,8 +151,7 @@ Table solver_table(const std::vector<FoundRow>& rows) {
       texts.push_back(line[std::size_t(column_of(table, name))].data);
     return texts;
   };
-  std::stable_sort(table.lines.begin(), table.lines.end(),
-                   [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::ranges::stable_sort(table.lines, {}, key);
   table.remarks = {
       "Our solver and each baseline take turns to compute the same time steps from the same state. The ratio is the baseline's time divided by our time: the median over the rounds, with its 95% interval. The ratio by CPU time is the baseline's CPU time divided by our CPU time per core, which is our CPU time divided by the number of cores. serial-o3 is C++ compiled with -O3. serial-fast is C++ compiled with -O3 -march=native -ffast-math. The serial baselines use floats unless the name contains double. eigen-...-1 and eigen-...-2 use Eigen with one and two threads, compiled with -O3 -march=native."};
   return table;

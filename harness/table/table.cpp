@@ -65,8 +65,7 @@ std::string three_digits(double number) {
 }
 
 int column_of(const Table& table, std::string_view name) {
-  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                  [&](const Column& column) { return column.name == name; });
+  const auto found = std::ranges::find(table.columns, name, &Column::name);
   return found == table.columns.end() ? -1 : int(found - table.columns.begin());
 }
 
