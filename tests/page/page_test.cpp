@@ -116,6 +116,8 @@ TEST_F(Page, OnePageHasAllSets) {
   rows.insert(rows.end(), others.begin(), others.end());
   const std::vector<Report> reports = write_reports(rows, folder.path, {});
   ASSERT_EQ(reports.size(), 2u);
+  test::expect_has(reports[0].notes.at(0), {"32 of 64 rows", " inputs-2,"});
+  EXPECT_NE(reports[0].sections.back().table.stem, "left-out") << "nothing is left out";
   write_page(reports, folder.path / "index.html");
   const std::string page = folder.read("index.html");
   test::expect_has(page, "Results, set 2");

@@ -130,7 +130,7 @@ TEST(Cells, OneBadRowSpoilsItsCell) {
 }
 
 TEST(Cells, RatioCarriesTheIntervalOfAWholeFigure) {
-  const auto cells = cells_of(test::table1_rows());
+  const auto cells = cells_of(test::table1_rows(0.1));
   const Cell& torus = named(cells, "torus-16-800x600");
   const Ratio r = *ratio_of(torus);
   EXPECT_NEAR(r.value, torus.fps() / 267, 1e-12);

@@ -44,6 +44,7 @@ TEST(Compare, DecidesFromSeveralProcesses) {
     EXPECT_FALSE(p.assumed);
     EXPECT_GT(p.detectable, 0.05);
     EXPECT_LT(p.detectable, 0.12);
+    EXPECT_EQ(p.needed, 0u) << "the verdict needs no more processes";
   }
   expect_all(compared(slower, a, 0.05), Verdict::faster);
   expect_all(compared(a, near, 0.05), Verdict::same);
@@ -97,6 +98,10 @@ TEST(Compare, ACaseThatFailsNowIsLost) {
   EXPECT_EQ(lost->verdict, Verdict::lost);
   EXPECT_EQ(lost->reason, "failed-check");
   EXPECT_EQ(std::pair(lost->interval.low, lost->interval.high), std::pair(0.0, 0.0));
+  EXPECT_EQ(std::tuple(lost->change, lost->confidence, lost->p, lost->detectable, lost->needed),
+            std::tuple(0.0, 0.0, 1.0, 0.0, 0u));
+  EXPECT_FALSE(lost->paired || lost->assumed);
+  EXPECT_EQ(compared(cells_of(rows), processes(1), 0.05).front().a_ms, 0);
   EXPECT_EQ(
       std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.verdict == Verdict::lost; }), 1);
 }

@@ -11,7 +11,7 @@ std::vector<LeftOut> list_of(const std::vector<FoundRow>& rows) {
 }
 
 TEST(LeftOut, IsEmptyIfEveryCaseHasATime) {
-  EXPECT_TRUE(list_of(test::table1_rows()).empty());
+  EXPECT_TRUE(list_of(test::table1_rows(0.01)).empty());
 }
 
 TEST(LeftOut, NamesEveryCaseWithoutATimeAndTheReason) {
@@ -61,6 +61,13 @@ TEST(LeftOut, NamesRunsWithCasesThatHaveNoRow) {
         {"shard", fmt::format("{}/2", shard)}, {"all_cases", 3}, {"repeats", 2}};
   EXPECT_EQ(missing_cases({rows.front().journal}, rows).at(0).reason,
             "cases without a row: 4 of 6 in the whole run");
+  rows[1].row.status = Status::error;
+  for (const auto& [shard, cases, text] : {std::tuple("0/1", 1, "run: 1 of 1 cases, 1 ended with an error"),
+                                           {"0/1", 2, "0 of 2; 1 more ended with an error"},
+                                           {"1/2", 5, "3 of 5 in shard 1/2; 1 more ended with an error"}}) {
+    for (FoundRow& found : rows) found.row.provenance = {{"shard", shard}, {"shard_cases", cases}};
+    test::expect_has(missing_cases({rows.front().journal}, rows).back().reason, text);
+  }
 }
 
 TEST(LeftOut, IsATableInEveryFormat) {

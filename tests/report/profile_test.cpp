@@ -28,6 +28,10 @@ TEST(Profile, TheTableHasRatesAndSharesOfTheBandwidth) {
   test::expect_has(text,
                    {"0.500   25.0%      1.00     2.00    50.0%", "between kernels            1.250   62.5%",
                     "9360      2.00      3.00      2.00      1.00         1.0\n"});
+  std::vector<FrameWork> frames = one_frame();
+  frames[0].shaded = frames[0].kernels[0].ms = 0;
+  test::expect_has(text_of(frames, bandwidth), "      0.0\n");
+  test::expect_has(csv_of(frames, bandwidth), "tile_shells,raster,0,1000000,0\n");
 }
 
 TEST(Profile, KernelsOfTwoPhasesAreNamedWithTheirPhase) {

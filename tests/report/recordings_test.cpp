@@ -43,6 +43,7 @@ std::map<std::string, std::string> files_of(const std::vector<FoundRow>& rows) {
     files[section.table.stem + ".csv"] = csv_of(section.table);
     files[section.table.stem + ".txt"] = text_of(section.table);
     files[section.table.stem + ".tex"] = latex_of(section.table);
+    for (const PlotSpec& plot : section.plots) files[plot.stem + ".json"] = json_of(plot);
   }
   const Table solvers = solver_table(rows);
   files[solvers.stem + ".csv"] = csv_of(solvers);
@@ -56,7 +57,7 @@ std::map<std::string, std::string> files_of(const std::vector<FoundRow>& rows) {
 
 TEST(RecordedRows, StillGiveTheRecordedTables) {
   const std::vector<Recorded> all = {
-      {"table1", {"silva2010-table1"}, 3},
+      {"table1", {"silva2010-table1"}, 4},
       {"topology", {"banisch2006-", "topology-"}, 41},
       {"rivals", {"rival"}, 12},
       {"rivals-avx2", {"avx2"}, 5},

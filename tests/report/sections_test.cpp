@@ -66,12 +66,17 @@ TEST(PaperSection, AFailedCellShowsItsStatusAndNoTime) {
   auto rows = test::table1_rows();
   rows[0].row.status = Status::failed_check;
   rows[0].row.metrics.erase("triangles");
+  rows[1].row.metrics["paper_fps"] = {0.5, "fps", "range", 0.0, 1.0};
   const Table table = sections(rows).at(0).table;
-  test::expect_has(text_of(table), "failed-check");
+  test::expect_has(text_of(table), {"failed-check", "0..1"});
+  test::expect_has(html_of(table), "class=\"bad\"");
   EXPECT_EQ(pivot_of(table).blocks[0].rows.size(), 8u) << "the failed cell stays in its model's row";
   const std::size_t line = line_with(table, {{"status", "failed-check"}});
   for (const char* column : {"fps", "fps_low", "median_ms", "median_ms_high", "ratio", "ratio_low"})
     EXPECT_EQ(value(table, line, column).data, "") << column;
+  const std::size_t range = line_with(table, {{"paper_relation", "range"}});
+  EXPECT_EQ(value(table, range, "paper_ms_low").data, "1000");
+  for (const char* column : {"paper_ms_high", "ratio_high"}) EXPECT_EQ(value(table, range, column).data, "");
 }
 
 TEST(PaperSection, EveryTimeOfTheCsvLiesWithinItsInterval) {
@@ -187,6 +192,10 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   const auto json = nlohmann::json::parse(json_of(all[0].plots[0]));
   EXPECT_EQ(json.at("x"), "fur.length");
   EXPECT_EQ(json.at("labels").at("layers"), "{} layers");
+  for (const auto& [x, series] : {std::pair("model", "layers, fur.length"), {"error_rms", "layers"}}) {
+    rows.back().row.provenance["view"] = {{"x", x}, {"series", {"layers"}}};
+    EXPECT_EQ(joined(sections(rows).at(0).plots.at(0).series), series) << x;
+  }
 }
 
 /// Returns a row for every case of rivals.toml. OpenCL takes 10 ms with curls and 8 ms without, OpenGL 4
@@ -245,12 +254,13 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
 TEST(RatioSection, CountsWhatHasNoRatio) {
   std::vector<FoundRow> rows = duel_rows();
   for (FoundRow& found : rows)
-    if (found.row.axes.at("model") == "torus") {
+    if (found.row.axes.at("model") == "torus" && found.row.axes.at("reading") == "default") {
       found.row.status = Status::failed_check;
       found.row.samples.clear();
     }
-  test::expect_has(text_of(sections(rows).at(0).table),
-                   {"the geometric mean 9.00 over 28 of 32 cells", "failed-check"});
+  test::expect_has(html_of(sections(rows).at(0).table),
+                   {"the geometric mean 9.00 over 28 of 32 cells", "(geometric means of 28 cells)",
+                    "class=\"bad\"", ">failed-check<"});
 }
 
 // A variant that was not measured in turns with the baseline has a table of its times.
@@ -370,7 +380,7 @@ TEST(VariantSection, HasTheFastestFirstAndNoTimeForAnotherPicture) {
   for (const std::string& text : {text_of(table), html_of(table)})
     test::expect_has(text, {"320 [320, 320]", "failed-check"});
   EXPECT_EQ(only_section(option_rows()).plots.at(0).x, "variant") << "layers has two values only";
-  const auto four = test::own_rows({{"variant", {"a", "b", "c", "d"}}});
+  const auto four = test::own_rows({{"mood", {"a", "b", "c", "d", "e"}}, {"variant", {"a", "b", "c", "d"}}});
   EXPECT_NE(column_of(only_section(four).table, "by_fastest"), -1);
 }
 
