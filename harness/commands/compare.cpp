@@ -134,8 +134,8 @@ int compare(const CompareOptions& options) {
     throw InputError(
         "give two sets of results (A and B), or one set with --by device, --by variant or --by axes.KEY");
   const std::vector<Cell> a = timed_cells(options.a, options.phase);
-  const std::vector<Cell> b = one_set ? a : timed_cells(options.b, options.phase);
-  const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, limits);
+  const std::vector<Cell> b = one_set ? std::vector<Cell>() : timed_cells(options.b, options.phase);
+  const std::vector<Pair> pairs = compare_cells(a, one_set ? a : b, one_set, by, limits);
   print_pairs(pairs, options);
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
