@@ -170,7 +170,7 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   auto rows =
       test::own_rows({{"layers", {"8", "16"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}});
   for (FoundRow& found : rows) {
-    found.row.metrics["error_rms"] = {double(found.row.case_name.size()), "lengths", "", 1.0, 99.0};
+    found.row.metrics["error_rms"] = {double(found.row.case_name.size()), "lengths", "", 1.0};
     found.row.provenance["view"] = {{"x", "fur.length"},         {"y", {"error_rms", "nothing"}},
                                     {"series", {"layers"}},      {"panels", {"model"}},
                                     {"y_scale", "log"},          {"values", {"error_rms"}},
