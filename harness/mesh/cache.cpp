@@ -15,12 +15,11 @@ bool consistent(const Mesh& mesh) {
 
 constexpr auto mesh_parts = [](const auto& store, auto& mesh) {
   std::uint8_t periodic = mesh.periodic_uv;
-  if (!(store(mesh.name) && store(mesh.hash) && store(mesh.position) && store(mesh.uv) && store(mesh.weld) &&
-        store(mesh.triangle) && store(mesh.welded) && store(periodic) && store(mesh.length_per_uv) &&
-        store(mesh.notes)))
-    return false;
+  const bool stored = store(mesh.name) && store(mesh.hash) && store(mesh.position) && store(mesh.uv) &&
+                      store(mesh.weld) && store(mesh.triangle) && store(mesh.welded) && store(periodic) &&
+                      store(mesh.length_per_uv) && store(mesh.notes);
   if constexpr (!std::is_const_v<std::remove_reference_t<decltype(mesh)>>) mesh.periodic_uv = periodic != 0;
-  return true;
+  return stored;
 };
 
 }  // namespace

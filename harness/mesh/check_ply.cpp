@@ -11,20 +11,23 @@
 namespace pelage::detail {
 namespace {
 
+enum class Kind { whole, natural, real };  ///< natural: whole and not negative
+
 struct Type {
   std::string_view name, other_name;
   std::size_t bytes;
-  bool whole, negative;  ///< whole: values must be whole numbers; negative: values may be negative
+  Kind kind;
+  bool whole() const { return kind != Kind::real; }
 };
 
-constexpr std::array<Type, 8> types{{{"char", "int8", 1, true, true},
-                                     {"uchar", "uint8", 1, true, false},
-                                     {"short", "int16", 2, true, true},
-                                     {"ushort", "uint16", 2, true, false},
-                                     {"int", "int32", 4, true, true},
-                                     {"uint", "uint32", 4, true, false},
-                                     {"float", "float32", 4, false, true},
-                                     {"double", "float64", 8, false, true}}};
+constexpr std::array<Type, 8> types{{{"char", "int8", 1, Kind::whole},
+                                     {"uchar", "uint8", 1, Kind::natural},
+                                     {"short", "int16", 2, Kind::whole},
+                                     {"ushort", "uint16", 2, Kind::natural},
+                                     {"int", "int32", 4, Kind::whole},
+                                     {"uint", "uint32", 4, Kind::natural},
+                                     {"float", "float32", 4, Kind::real},
+                                     {"double", "float64", 8, Kind::real}}};
 
 struct Property {
   std::string_view name;
@@ -35,7 +38,7 @@ struct Property {
 
 struct Element {
   std::string_view name;
-  std::int64_t count = 0;
+  std::int64_t count;
   std::vector<Property> properties;
 };
 
@@ -86,13 +89,12 @@ class HeaderReader {
   }
 
   void read_element(Words& words) {
-    Element element{words.next(), 0, {}};
+    const std::string_view name = words.next();
     const auto count = detail::read<std::int64_t>(words.next());
     if (!count || *count < 0 || *count > std::int64_t(bytes_.size()))
       fail(fmt::format("the number of elements is missing, negative or too large for a file of {} bytes",
                        bytes_.size()));
-    element.count = *count;
-    header_.elements.push_back(std::move(element));
+    header_.elements.push_back({name, *count, {}});
   }
 
   void read_property(Words& words) {
@@ -101,7 +103,7 @@ class HeaderReader {
     Property property;
     if (type == "list") {
       property.count = type_of(words.next());
-      if (!property.count->whole) fail("the length of a list must be a whole number");
+      if (!property.count->whole()) fail("the length of a list must be a whole number");
       property.type = type_of(words.next());
     } else {
       property.type = type_of(type);
@@ -117,13 +119,13 @@ class HeaderReader {
     Element &vertex = one("vertex"), &face = one("face");
     for (const char* name : {"x", "y", "z"}) {
       Property* const found = find(vertex, name);
-      if (found == nullptr || found->count || found->type.whole)
+      if (found == nullptr || found->count || found->type.whole())
         detail::fail(name_, 0, fmt::format("the vertices have no property {} of type float or double", name));
       found->kept = true;
     }
     for (const char* name : {"vertex_indices", "vertex_index"}) {
       Property* const found = find(face, name);
-      if (found == nullptr || !found->count || !found->type.whole || found->type.bytes != 4) continue;
+      if (found == nullptr || !found->count || !found->type.whole() || found->type.bytes != 4) continue;
       found->kept = true;
       return;
     }
@@ -205,7 +207,7 @@ class Body {
       take(std::size_t(count) * property.type.bytes);
     else
       for (std::int64_t k = 0; k < count; ++k)
-        property.type.whole ? void(whole(property.type)) : need_number();
+        property.type.whole() ? void(whole(property.type)) : need_number();
     if (!property.kept) return;
     kept += before.substr(0, before.size() - rest_.size());
     if (header_.format == Header::Format::text) kept += ' ';
@@ -213,11 +215,12 @@ class Body {
 
   std::int64_t whole(const Type& type) {
     const int bits = int(8 * type.bytes);
+    const bool negative = type.kind == Kind::whole;
     if (header_.format == Header::Format::text) {
       const std::string_view word = next_word();
       const auto value = detail::read<std::int64_t>(word);
-      const std::int64_t most = (std::int64_t(1) << (type.negative ? bits - 1 : bits)) - 1;
-      if (!value || *value > most || *value < (type.negative ? -most - 1 : 0))
+      const std::int64_t most = (std::int64_t(1) << (negative ? bits - 1 : bits)) - 1;
+      if (!value || *value > most || *value < (negative ? -most - 1 : 0))
         fail(fmt::format("found {}, but the value must be a {}", shown(word), type.name));
       return *value;
     }
@@ -227,7 +230,7 @@ class Body {
       const std::size_t place = header_.format == Header::Format::big_endian ? i : bytes.size() - 1 - i;
       value = value << 8 | static_cast<unsigned char>(bytes[place]);
     }
-    const bool below_0 = type.negative && (value >> (bits - 1) & 1) != 0;
+    const bool below_0 = negative && (value >> (bits - 1) & 1) != 0;
     return below_0 ? std::int64_t(value) - (std::int64_t(1) << bits) : std::int64_t(value);
   }
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numeric>
 
-#include "harness/error.hpp"
+#include "harness/mesh/finish.hpp"
 #include "harness/mesh/sides.hpp"
 #include "harness/mesh/steps.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {
@@ -24,35 +24,26 @@ struct Chart {
   glm::dvec2 low{0};    // lower corner of the rotated chart's bounding box, before scaling
   glm::dvec2 size{0};   // size of the rotated chart's bounding box, after scaling and without margins
   glm::dvec2 place{0};  // position of the bounding box's lower corner in the packed UV map
-  double scale = 1;     // ratio of lengths on the surface to lengths in the chart
+  double scale;         // ratio of lengths on the surface to lengths in the chart
 };
-
-glm::dvec2 turned_by(glm::dvec2 p, double degrees) {
-  const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
-  return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
 
 // Finds the rotation of a chart that minimizes the area of its bounding box. The function considers only
 // rotations with a bounding box that is at least as wide as high.
-Chart measured(const Surface& part, const std::string& name) {
+Chart measured(const Surface& part) {
   double area = 0, uv_area = 0;
   for (std::size_t f = 0; f < part.triangle.size(); ++f) {
     const auto& [a, b, c] = part.triangle[f];
     area += 0.5 * glm::length(glm::cross(part.point[b] - part.point[a], part.point[c] - part.point[a]));
-    const glm::dvec2 d = part.uv[f][1] - part.uv[f][0], e = part.uv[f][2] - part.uv[f][0];
-    uv_area += 0.5 * std::abs(d.x * e.y - d.y * e.x);
+    uv_area += 0.5 * std::abs(twice_uv_area(part.uv[f]));
   }
-  if (!(uv_area > 0) || !std::isfinite(uv_area))
-    throw InputError(fmt::format("{}: no UV map can be made for one of its components", name));
-  Chart chart;
-  chart.scale = std::sqrt(area / uv_area);
+  Chart chart{.scale = std::sqrt(area / uv_area)};
   double least = std::numeric_limits<double>::max();
   for (double degrees = 0; degrees < 180; degrees += 3) {
     glm::dvec2 low(std::numeric_limits<double>::max()), high(-low);
-    const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+    const UvTurn turn(degrees);
     for (const auto& corners : part.uv) {
       for (const glm::dvec2& p : corners) {
-        const glm::dvec2 q(c * p.x - s * p.y, s * p.x + c * p.y);
+        const glm::dvec2 q = turn(p);
         low = glm::min(low, q), high = glm::max(high, q);
       }
     }
@@ -85,8 +76,7 @@ double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order,
 double pack(std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return charts[a].size.y > charts[b].size.y; });
+  std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) { return charts[i].size.y; });
   double area = 0, widest = 0;
   for (const Chart& chart : charts)
     area += chart.size.x * chart.size.y, widest = std::max(widest, chart.size.x);
@@ -109,13 +99,12 @@ double pack(std::vector<Chart>& charts) {
 
 std::vector<std::uint32_t> components(const Surface& surface) {
   Groups groups(surface.point.size());
-  for (const auto& t : surface.triangle)
-    for (const std::uint32_t p : {t[1], t[2]}) groups.join(t[0], p);
+  for (const auto& [a, b, c] : surface.triangle) groups.join(a, b), groups.join(b, c);
   std::vector<std::uint32_t> number(surface.point.size(), no_index), component;
   component.reserve(surface.triangle.size());
   std::uint32_t next = 0;
   for (const auto& t : surface.triangle) {
-    std::uint32_t& n = number[groups.find(t[0])];
+    std::uint32_t& n = number[groups.find(t.front())];
     if (n == no_index) n = next++;
     component.push_back(n);
   }
@@ -126,14 +115,14 @@ void turn_outwards(Surface& surface) {
   const std::vector<std::uint32_t> component = components(surface);
   const std::size_t count = count_of(component);
   const auto sides = directed_sides(surface.triangle);
-  std::vector<char> open(count, 0);
+  std::vector<char> open(count, false);
   std::vector<double> volume(count, 0);
   std::vector<glm::dvec3> origin(count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
   for (std::size_t f = 0; f < surface.triangle.size(); ++f) {
     const auto& [a, b, c] = surface.triangle[f];
     const std::uint32_t n = component[f];
     for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-      if (!std::binary_search(sides.begin(), sides.end(), std::pair(q, p))) open[n] = 1;
+      if (!std::binary_search(sides.begin(), sides.end(), std::pair(q, p))) open[n] = true;
     if (std::isnan(origin[n].x)) origin[n] = surface.point[a];
     const glm::dvec3 o = origin[n];
     volume[n] += glm::dot(surface.point[a] - o, glm::cross(surface.point[b] - o, surface.point[c] - o));
@@ -167,10 +156,10 @@ std::vector<Surface> split(const Surface& surface) {
   return parts;
 }
 
-Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name) {
+Surface packed(const Surface& surface, const std::vector<Surface>& parts) {
   std::vector<Chart> charts;
   charts.reserve(parts.size());
-  for (const Surface& part : parts) charts.push_back(measured(part, name));
+  for (const Surface& part : parts) charts.push_back(measured(part));
   const double side = pack(charts);
   const std::vector<std::uint32_t> component = components(surface);
   Surface result = surface;
@@ -180,9 +169,10 @@ Surface packed(const Surface& surface, const std::vector<Surface>& parts, const 
   std::vector<std::size_t> next(parts.size(), 0);
   for (const std::uint32_t n : component) {
     const Chart& chart = charts[n];
+    const UvTurn turn(chart.degrees);
     Surface::Corners corners = parts[n].uv[next[n]++];
     for (glm::dvec2& p : corners) {
-      p = (chart.place + chart.scale * (turned_by(p, chart.degrees) - chart.low)) / side;
+      p = (chart.place + chart.scale * (turn(p) - chart.low)) / side;
       p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding may move p out of the square
     }
     result.uv.push_back(corners);

@@ -51,7 +51,7 @@ Graph make_graph(const Surface& surface) {
   graph.row.assign(surface.point.size() + 1, 0);
   for (const Edge& edge : graph.edge) ++graph.row[edge.a + 1], ++graph.row[edge.b + 1];
   std::partial_sum(graph.row.begin(), graph.row.end(), graph.row.begin());
-  graph.at_point.resize(graph.edge.size() * 2);
+  graph.at_point.resize(graph.row.back());
   std::vector<std::uint32_t> next = graph.row;
   for (std::uint32_t e = 0; e < graph.edge.size(); ++e)
     for (const std::uint32_t p : {graph.edge[e].a, graph.edge[e].b}) graph.at_point[next[p]++] = e;
@@ -68,17 +68,17 @@ using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
 // that the tree crosses. Then, if a point has exactly one cut edge, this edge is removed from the cut. The
 // removal is repeated until no point has exactly one cut edge.
 std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
-  const auto centroid = [&](std::uint32_t f) {
-    const auto [a, b, c] = surface.triangle[f];
+  const auto centroid = [&](const Surface::Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
     return (surface.point[a] + surface.point[b] + surface.point[c]) / 3.0;
   };
-  std::vector<char> cut(graph.edge.size(), 1);
+  std::vector<char> cut(graph.edge.size(), true);
   std::vector<double> distance(surface.triangle.size(), far);
   std::vector<std::uint32_t> via(surface.triangle.size(), no_index);
   Queue queue;
-  std::uint32_t seed = 0;
-  for (std::uint32_t f = 1; f < surface.triangle.size(); ++f)
-    if (glm::distance(centroid(f), root) < glm::distance(centroid(seed), root)) seed = f;
+  const auto nearest = std::ranges::min_element(
+      surface.triangle, {}, [&](const auto& triangle) { return glm::distance(centroid(triangle), root); });
+  const auto seed = std::uint32_t(nearest - surface.triangle.begin());
   queue.push({distance[seed] = 0, seed});
   while (!queue.empty()) {
     const auto [d, f] = queue.top();
@@ -87,12 +87,12 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
     for (const std::uint32_t e : graph.of_face[f]) {
       const std::uint32_t next = graph.edge[e].left == f ? graph.edge[e].right : graph.edge[e].left;
       if (next == no_index) continue;
-      const double there = d + glm::distance(centroid(f), centroid(next));
+      const double there = d + glm::distance(centroid(surface.triangle[f]), centroid(surface.triangle[next]));
       if (there < distance[next]) queue.push({distance[next] = there, next}), via[next] = e;
     }
   }
   for (const std::uint32_t e : via)
-    if (e != no_index) cut[e] = 0;
+    if (e != no_index) cut[e] = false;
 
   std::vector<std::uint32_t> degree(surface.point.size(), 0), ends;
   for (std::uint32_t e = 0; e < graph.edge.size(); ++e)
@@ -104,7 +104,7 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
     ends.pop_back();
     for (const std::uint32_t e : graph.of_point(p)) {
       if (!cut[e]) continue;
-      cut[e] = 0;
+      cut[e] = false;
       --degree[p];
       const std::uint32_t other = graph.edge[e].a == p ? graph.edge[e].b : graph.edge[e].a;
       if (--degree[other] == 1) ends.push_back(other);
@@ -116,7 +116,7 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
 struct Reach {
   std::vector<double> distance;
   std::vector<std::uint32_t> via;  // last edge of the shortest path from the nearest source to each point
-  std::uint32_t farthest = 0;
+  std::uint32_t farthest;
 };
 
 // Computes the shortest paths along the edges from the sources to all points by Dijkstra's algorithm. Stops
@@ -153,10 +153,9 @@ std::vector<std::uint32_t> points_of(const Graph& graph, const std::vector<char>
 }
 
 std::uint32_t nearest_point(const Surface& surface, glm::dvec3 to) {
-  std::uint32_t nearest = 0;
-  for (std::uint32_t p = 1; p < surface.point.size(); ++p)
-    if (glm::distance(surface.point[p], to) < glm::distance(surface.point[nearest], to)) nearest = p;
-  return nearest;
+  const auto nearest =
+      std::ranges::min_element(surface.point, {}, [&](const glm::dvec3& p) { return glm::distance(p, to); });
+  return std::uint32_t(nearest - surface.point.begin());
 }
 
 std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, const CutPlan& plan) {
@@ -166,14 +165,11 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
     std::uint32_t p = nearest_point(surface, tip);
     // A closed surface without handles has an empty cut graph. The first cut then begins at the first point
     // of plan.tips.
-    if (sources.empty()) {
-      sources.push_back(p);
-      continue;
-    }
+    if (sources.empty()) sources.push_back(p);
     const Reach reach = walk(graph, sources, p);
     while (reach.via[p] != no_index) {
       const Edge& edge = graph.edge[reach.via[p]];
-      cut[reach.via[p]] = 1;
+      cut[reach.via[p]] = true;
       sources.push_back(p);
       p = edge.a == p ? edge.b : edge.a;
     }

@@ -63,7 +63,7 @@ std::string Writer::sealed(std::string_view title) {
 }
 
 std::optional<std::string_view> unsealed(std::string_view bytes, std::string_view title) {
-  std::uint64_t sum = 0;
+  std::uint64_t sum;
   if (bytes.size() < title.size() + sizeof sum || !bytes.starts_with(title)) return {};
   std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
   bytes.remove_suffix(sizeof sum);
@@ -114,7 +114,7 @@ void trim_cache(const std::filesystem::path& folder, std::uintmax_t most) {
     total += file.size;
     files.push_back(file);
   }
-  std::sort(files.begin(), files.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
+  std::ranges::sort(files, {}, &Kept::used);
   for (const Kept& file : files) {
     if (total <= most) break;
     if (std::filesystem::remove(file.path, error)) total -= file.size;

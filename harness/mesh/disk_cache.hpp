@@ -55,29 +55,27 @@ class Reader {
   }
   template <class T>
   bool list(std::vector<T>& items) {
-    std::uint64_t count = 0;
-    if (!value(count) || count > rest_.size() / sizeof(T)) return false;
-    items.resize(count);
-    return take(items.data(), count * sizeof(T));
+    return resize(items, sizeof(T)) && take(items.data(), items.size() * sizeof(T));
   }
-  bool text(std::string& item) {
-    std::uint64_t count = 0;
-    if (!value(count) || count > rest_.size()) return false;
-    item.resize(count);
-    return take(item.data(), count);
-  }
+  bool text(std::string& item) { return resize(item, 1) && take(item.data(), item.size()); }
   bool list(std::vector<std::string>& items) {
-    std::uint64_t count = 0;
-    if (!value(count) || count > rest_.size() / sizeof count) return false;
-    items.resize(count);
-    return std::all_of(items.begin(), items.end(), [&](std::string& item) { return text(item); });
+    return resize(items, sizeof(std::uint64_t)) &&
+           std::all_of(items.begin(), items.end(), [&](std::string& item) { return text(item); });
   }
   bool done() const { return rest_.empty(); }
 
  private:
+  /// Reads the number of items, each of which needs at least `size` of the bytes that are left.
+  template <class Items>
+  bool resize(Items& items, std::size_t size) {
+    std::uint64_t count = 0;
+    if (!value(count) || count > rest_.size() / size) return false;
+    items.resize(count);
+    return true;
+  }
   bool take(void* target, std::size_t size) {
     if (size > rest_.size()) return false;
-    if (size > 0) std::memcpy(target, rest_.data(), size);
+    rest_.copy(static_cast<char*>(target), size);
     rest_.remove_prefix(size);
     return true;
   }

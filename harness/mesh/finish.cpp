@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -37,9 +35,24 @@ std::vector<std::uint32_t> morton_order(const std::vector<glm::dvec3>& points) {
                  [](glm::dvec3 p) { return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2; });
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return key[i]; });
   return order;
+}
+
+// Returns the order of triangles along the Morton curve, by their centroids.
+std::vector<std::uint32_t> morton_order(const std::vector<Surface::Triangle>& triangles,
+                                        const std::vector<glm::dvec3>& point) {
+  std::vector<glm::dvec3> centroid;
+  centroid.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) centroid.push_back((point[a] + point[b] + point[c]) / 3.0);
+  return morton_order(centroid);
+}
+
+// Returns the position of each index in a permutation.
+std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> position(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) position[order[i]] = i;
+  return position;
 }
 
 std::vector<glm::dvec3> normalised(const Surface& surface, glm::dvec3 rotation) {
@@ -56,15 +69,9 @@ struct Box {
   double side() const { return std::max(high.x - low.x, high.y - low.y); }
 };
 
-struct Turn {
-  double c, s;
-  explicit Turn(double degrees) : c(std::cos(glm::radians(degrees))), s(std::sin(glm::radians(degrees))) {}
-  glm::dvec2 operator()(glm::dvec2 p) const { return {c * p.x - s * p.y, s * p.x + c * p.y}; }
-};
-
 Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
   Box box;
-  const Turn turn(degrees);
+  const UvTurn turn(degrees);
   for (const auto& corners : uv) {
     for (const glm::dvec2& p : corners) {
       const glm::dvec2 q = turn(p);
@@ -86,7 +93,7 @@ void fit_uv(std::vector<Surface::Corners>& uv) {
   constexpr double margin = 2.0 / 256;
   const double scale = (1 - 2 * margin) / box.side();
   const glm::dvec2 shift = glm::dvec2(0.5) - scale * 0.5 * (box.low + box.high);
-  const Turn turn(best);
+  const UvTurn turn(best);
   for (auto& corners : uv)
     for (glm::dvec2& p : corners) p = turn(p) * scale + shift;
 }
@@ -150,20 +157,17 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation) {
   for (std::size_t i = 0; i < mesh.position.size(); ++i)
     point[mesh.weld[i]] = matrix * glm::dvec3(mesh.position[i]);
 
-  const std::vector<std::uint32_t> point_order = morton_order(point);
-  std::vector<std::uint32_t> rank(point.size());
-  for (std::uint32_t i = 0; i < point_order.size(); ++i) rank[point_order[i]] = i;
-  std::vector<std::uint32_t> copy_order(mesh.position.size()), number(mesh.position.size());
+  const std::vector<std::uint32_t> rank = inverse(morton_order(point));
+  std::vector<std::uint32_t> copy_order(mesh.position.size());
   std::iota(copy_order.begin(), copy_order.end(), 0u);
   // This sort orders the vertices by the rank of their surface points. It is stable: the vertices at one
   // surface point are already sorted by UV, and they keep this order.
-  std::stable_sort(copy_order.begin(), copy_order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return rank[mesh.weld[a]] < rank[mesh.weld[b]]; });
-  for (std::uint32_t i = 0; i < copy_order.size(); ++i) number[copy_order[i]] = i;
-  std::vector<glm::dvec3> centroid;
-  centroid.reserve(mesh.triangle.size());
+  std::ranges::stable_sort(copy_order, {}, [&](std::uint32_t i) { return rank[mesh.weld[i]]; });
+  const std::vector<std::uint32_t> number = inverse(copy_order);
+  std::vector<Surface::Triangle> welded;
+  welded.reserve(mesh.triangle.size());
   for (const glm::uvec3& t : mesh.triangle)
-    centroid.push_back((point[mesh.weld[t.x]] + point[mesh.weld[t.y]] + point[mesh.weld[t.z]]) / 3.0);
+    welded.push_back({mesh.weld[t.x], mesh.weld[t.y], mesh.weld[t.z]});
 
   Mesh result = mesh;
   for (std::uint32_t i = 0; i < copy_order.size(); ++i) {
@@ -173,7 +177,7 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation) {
     result.weld[i] = rank[mesh.weld[from]];
   }
   result.triangle.clear();
-  for (const std::uint32_t f : morton_order(centroid)) {
+  for (const std::uint32_t f : morton_order(welded, point)) {
     const glm::uvec3& t = mesh.triangle[f];
     result.triangle.emplace_back(number[t.x], number[t.y], number[t.z]);
   }
@@ -190,12 +194,7 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
   if (fitted) fit_uv(uv);
 
   const std::vector<std::uint32_t> point_order = morton_order(point);
-  std::vector<std::uint32_t> rank(point.size());
-  for (std::uint32_t i = 0; i < point_order.size(); ++i) rank[point_order[i]] = i;
-
-  std::vector<glm::dvec3> centroid;
-  centroid.reserve(surface.triangle.size());
-  for (const auto& [a, b, c] : surface.triangle) centroid.push_back((point[a] + point[b] + point[c]) / 3.0);
+  const std::vector<std::uint32_t> rank = inverse(point_order);
 
   Mesh mesh;
   mesh.name = name;
@@ -220,9 +219,9 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
     for (std::uint32_t c = 0; c < corners; ++c) corner[next[point_of(c)]++] = c;
   }
   for (std::uint32_t p = 0; p < point.size(); ++p) {
-    std::sort(corner.begin() + row[p], corner.begin() + row[p + 1], [&](std::uint32_t a, std::uint32_t b) {
-      const glm::vec2 at = uv_of(a), there = uv_of(b);
-      return std::tie(at.x, at.y, a) < std::tie(there.x, there.y, b);
+    std::ranges::sort(corner.begin() + row[p], corner.begin() + row[p + 1], {}, [&](std::uint32_t c) {
+      const glm::vec2 at = uv_of(c);
+      return std::tuple(at.x, at.y, c);
     });
     for (std::uint32_t i = row[p]; i < row[p + 1]; ++i) {
       const glm::vec2 at = uv_of(corner[i]);
@@ -235,7 +234,7 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
     }
   }
   mesh.triangle.reserve(surface.triangle.size());
-  for (const std::size_t f : morton_order(centroid))
+  for (const std::size_t f : morton_order(surface.triangle, point))
     mesh.triangle.emplace_back(copy[3 * f], copy[3 * f + 1], copy[3 * f + 2]);
   mesh.hash = content_hash(mesh);
   return mesh;

@@ -1,6 +1,9 @@
 // The last step of mesh preparation: it converts a surface with a UV map to the Mesh that the pipelines read.
 #pragma once
+#include <cmath>
 #include <glm/mat3x3.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -11,6 +14,13 @@ namespace pelage {
 
 /// Returns the matrix of a rotation by `degrees` about the fixed axes x, then y, then z.
 glm::dmat3 rotation_matrix(glm::dvec3 degrees);
+
+/// Rotates points of a UV map counter-clockwise about the origin.
+struct UvTurn {
+  double c, s;
+  explicit UvTurn(double degrees) : c(std::cos(glm::radians(degrees))), s(std::sin(glm::radians(degrees))) {}
+  glm::dvec2 operator()(glm::dvec2 p) const { return {c * p.x - s * p.y, s * p.x + c * p.y}; }
+};
 
 /// Rotates and scales the UV map into [0,1]^2, as finish() does.
 void fit_uv(Surface& surface);
@@ -32,7 +42,7 @@ std::string content_hash(const Mesh& mesh);
 
 struct Sphere {
   glm::dvec3 centre{0};
-  double radius = 0;
+  double radius;
 };
 
 /// Returns the smallest sphere that contains all points (CGAL's Min_sphere_of_spheres_d).

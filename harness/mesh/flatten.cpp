@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "harness/error.hpp"
@@ -190,16 +191,16 @@ Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, cons
 // Moves each corner of a flipped face to the mean of its neighbours, unless the corner lies on the border.
 // Stops when the number of flipped faces no longer decreases.
 void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns& x) {
-  std::vector<char> fixed(disk.point.size(), 0);
-  for (const std::uint32_t p : border) fixed[p] = 1;
-  std::size_t before = disk.triangle.size() + 1;
+  std::vector<char> fixed(disk.point.size(), false);
+  for (const std::uint32_t p : border) fixed[p] = true;
+  std::size_t before = std::numeric_limits<std::size_t>::max();
   Columns kept = x;
   for (int round = 0; round < 20; ++round) {
-    std::vector<char> move(disk.point.size(), 0);
+    std::vector<char> move(disk.point.size(), false);
     std::size_t turned = 0;
     for (const auto& t : disk.triangle)
       if (!(twice_uv_area({at(x, t[0]), at(x, t[1]), at(x, t[2])}) > 0))
-        ++turned, move[t[0]] = move[t[1]] = move[t[2]] = 1;
+        ++turned, move[t[0]] = move[t[1]] = move[t[2]] = true;
     if (turned >= before) x = kept;
     if (turned == 0 || turned >= before) break;
     before = turned, kept = x;
@@ -276,14 +277,13 @@ FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& na
 
 namespace {
 
-// Returns true if the triangles form a closed manifold. The function tests whether F triangles have 3F / 2
-// edges, because each edge of a closed manifold belongs to two triangles.
+// Returns true if the triangles of a manifold have no border: each side is also a side of another triangle,
+// in the other direction.
 bool is_closed(const std::vector<Surface::Triangle>& triangles) {
-  const std::vector<Side> sides = sides_of(triangles);
-  std::size_t edges = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    edges += i == 0 || sides[i].low != sides[i - 1].low || sides[i].high != sides[i - 1].high;
-  return 2 * edges == 3 * triangles.size();
+  const auto sides = directed_sides(triangles);
+  return std::ranges::all_of(sides, [&](const auto& side) {
+    return std::binary_search(sides.begin(), sides.end(), std::pair(side.second, side.first));
+  });
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ Points read_points(const fs::path& file) {
   };
   std::error_code none;
   const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;
-  const Limits limits{(std::uint64_t(4) << 30) + 400 * bytes, std::chrono::seconds(60 + 10 * (bytes >> 20))};
+  const Limits limits{mesh_memory(bytes), std::chrono::seconds(60 + 10 * (bytes >> 20))};
   auto points = unpacked<Points>(isolated(file.string(), limits, read, {}), title, point_parts);
   if (!points)
     throw std::runtime_error(fmt::format("{}: the reading process returned damaged data", file.string()));
@@ -95,22 +95,20 @@ class Cells {
 /// How the preparation of the first file placed its points: the surface point is `turn` ((p - shift) / R),
 /// where R is `radius`.
 struct Placement {
-  glm::dmat3 turn{1};
-  glm::dvec3 shift{0};
-  double radius = 1;
+  glm::dmat3 turn;
+  glm::dvec3 shift;
+  double radius;
   glm::dvec3 operator()(glm::dvec3 p) const { return turn * ((p - shift) / radius); }
 };
 
 Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotation) {
-  Placement place;
-  place.turn = rotation_matrix(rotation);
+  const glm::dmat3 turn = rotation_matrix(rotation);
   Bounds file, prepared;
   for (std::size_t i = 0; i < first.position.size(); ++i)
     if (first.used[i]) file.add(first.position[i]);
-  for (const glm::vec3& p : mesh.position) prepared.add(glm::transpose(place.turn) * glm::dvec3(p));
-  place.radius = glm::length(file.high - file.low) / glm::length(prepared.high - prepared.low);
-  place.shift = 0.5 * ((file.low + file.high) - place.radius * (prepared.low + prepared.high));
-  return place;
+  for (const glm::vec3& p : mesh.position) prepared.add(glm::transpose(turn) * glm::dvec3(p));
+  const double radius = glm::length(file.high - file.low) / glm::length(prepared.high - prepared.low);
+  return {turn, 0.5 * ((file.low + file.high) - radius * (prepared.low + prepared.high)), radius};
 }
 
 /// The points of the file that belong to a surface point: the nearest one, and the others that coincide with
@@ -130,16 +128,14 @@ std::vector<Coincident> coincident_of(const Mesh& mesh, const Points& first, con
   for (std::size_t v = 0; v < mesh.position.size(); ++v) position[mesh.weld[v]] = mesh.position[v];
   for (std::uint32_t w = 0; w < mesh.welded; ++w) {
     double least = near;
-    bool found = false;
     Coincident& point = points[w];
     cells.around(position[w], [&](std::uint32_t i) {
       const double distance = glm::distance(place(first.position[i]), position[w]);
       if (distance >= near) return;
       point.others.push_back(i);
-      if (distance < least || !found) point.nearest = i, least = distance;
-      found = true;
+      if (distance < least) point.nearest = i, least = distance;
     });
-    if (!found)
+    if (point.others.empty())
       throw InputError(fmt::format(
           "mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its frames cannot be matched; give a mesh whose preparation changes no points (`pelage mesh` lists the changes)",
           file.string()));
@@ -157,8 +153,8 @@ fs::path frame_file(const fs::path& first, int frame) {
     throw InputError(fmt::format(
         "mesh.frames: {}: the name of the first frame's file needs a number that counts up, such as walk-0000.obj",
         first.string()));
-  const std::size_t before = stem.find_last_not_of("0123456789", last);
-  const std::size_t begin = std::max(before == std::string::npos ? 0 : before + 1, last > 8 ? last - 8 : 0);
+  const std::size_t first_digit = stem.find_last_not_of("0123456789", last) + 1;  // npos + 1 is 0
+  const std::size_t begin = std::max(first_digit, last > 8 ? last - 8 : 0);
   const std::string digits = stem.substr(begin, last + 1 - begin);
   const std::string number = fmt::format("{:0{}}", std::stol(digits) + frame, digits.size());
   return first.parent_path() /

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 #include <optional>
@@ -54,8 +55,7 @@ Source source_of(const Model& model) {
 
 // Returns the direction, in the coordinate system of the source, that `rotation` maps to +y.
 glm::dvec3 up_before(glm::dvec3 rotation) {
-  const glm::dmat3 matrix = rotation_matrix(rotation);
-  return {matrix[0].y, matrix[1].y, matrix[2].y};
+  return glm::row(rotation_matrix(rotation), 1);
 }
 
 // Returns the numbers of quads A and B in a name "torus-AxB"; empty for other names. Throws InputError if
@@ -164,7 +164,7 @@ Surface mapped_file(Surface surface, const Model& model, const std::string& labe
   for (std::size_t i = 0; i < parts.size(); ++i)
     parts[i] = mapped(parts[i], model, label, i, parts.size(), stages);
   stages.begin("packing charts");
-  return packed(surface, parts, label);
+  return packed(surface, parts);
 }
 
 // Removes the overlaps of a computed UV map. A map without overlaps stays unchanged.
@@ -248,8 +248,7 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
 Limits limits_for(const Model& model, const Source& source) {
   const std::uint64_t bytes = source.kind == "procedural" ? 0 : std::filesystem::file_size(source.file());
   const std::uint64_t seconds = 300 + 60 * (bytes >> 20) + model.faces.value_or(0) / 200;
-  return {(std::uint64_t(4) << 30) + 400 * bytes,
-          std::chrono::seconds(std::min<std::uint64_t>(seconds, 7200))};
+  return {mesh_memory(bytes), std::chrono::seconds(std::min<std::uint64_t>(seconds, 7200))};
 }
 
 Model model_of(const std::string& name_or_file, const MeshOptions& options) {

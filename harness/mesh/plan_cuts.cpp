@@ -73,8 +73,7 @@ std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, 
       for (const glm::dvec3& root : roots) least = std::min(least, glm::dot(p - root, p - root));
       return least;
     };
-    roots.push_back(*std::max_element(proxy.point.begin(), proxy.point.end(),
-                                      [&](const auto& a, const auto& b) { return near(a) < near(b); }));
+    roots.push_back(*std::ranges::max_element(proxy.point, {}, near));
   }
   std::vector<TriedPlan> plans;
   const auto within = [&](double fraction) {
@@ -101,8 +100,7 @@ Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans,
 
 Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
                      const Unfold& unfold) {
-  std::stable_sort(plans.begin(), plans.end(),
-                   [](const TriedPlan& a, const TriedPlan& b) { return a.cost < b.cost; });
+  std::ranges::stable_sort(plans, {}, &TriedPlan::cost);
   for (const TriedPlan& tried : plans) {
     try {
       return unfold(surface, tried.plan, name);

@@ -38,7 +38,6 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
     for (const glm::uvec3& t : mesh.triangle) {
       glm::dvec2 p[3];
       for (int k = 0; k < 3; ++k) p[k] = glm::dvec2(mesh.uv[t[k]]) * double(side) - 0.5;
-      if (twice_map_area(mesh, t) < 0) std::swap(p[1], p[2]);
       const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
       const int last = std::min(end, int(std::ceil(high)));
       for (int y = std::max(begin, int(std::ceil(low))); y < last; ++y) {
@@ -76,7 +75,7 @@ Covered covered_by(const Mesh& mesh, int side) {
 }  // namespace
 
 Topology topology(const Mesh& mesh) {
-  Topology topology;
+  Topology topology{};
   topology.copies = mesh.position.size();
   topology.points = mesh.welded;
   topology.faces = mesh.triangle.size();
@@ -139,7 +138,7 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
   if (faces > 0)
     warnings.push_back(fmt::format(
         "UV map: {} {} flipped (clockwise in UV; {:.4f}% of the area of the map); textures appear mirrored on flipped faces",
-        faces, faces == 1 ? "face is" : "faces are", area > 0 ? 100 * turned / area : 0));
+        faces, faces == 1 ? "face is" : "faces are", 100 * turned / area));
   const Covered covered = covered_by(mesh, 2048);
   if (covered.more > 0 && double(covered.more) >= 1e-4 * double(covered.once))
     warnings.push_back(fmt::format(
@@ -149,7 +148,7 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
 }
 
 UvQuality uv_quality(const Mesh& mesh, int side) {
-  UvQuality quality;
+  UvQuality quality{};
   double uv_area = 0, flipped = 0, surface_area = 0;  // all doubled
   // For each face, the ratio of its UV area to its surface area, followed by its surface area.
   std::vector<std::pair<double, double>> ratio;

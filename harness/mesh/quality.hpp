@@ -10,34 +10,34 @@
 namespace pelage {
 
 struct Topology {
-  std::size_t copies = 0;  ///< number of vertices; a surface point on a UV seam has several vertices
-  std::size_t points = 0;  ///< number of surface points
-  std::size_t edges = 0;   ///< number of edges between surface points
-  std::size_t faces = 0;
-  std::size_t boundary_edges = 0;
-  std::size_t borders = 0;  ///< number of closed loops of boundary edges
-  std::size_t components = 0;
-  long genus = 0;  ///< number of handles, summed over all components; valid only for a manifold
+  std::size_t copies;  ///< number of vertices; a surface point on a UV seam has several vertices
+  std::size_t points;  ///< number of surface points
+  std::size_t edges;   ///< number of edges between surface points
+  std::size_t faces;
+  std::size_t boundary_edges;
+  std::size_t borders;  ///< number of closed loops of boundary edges
+  std::size_t components;
+  long genus;  ///< number of handles, summed over all components; valid only for a manifold
   /// Number of edges that have more than two faces, or two faces that are oriented inconsistently.
-  std::size_t bad_edges = 0;
-  std::size_t bad_points = 0;  ///< number of points whose faces do not form a single fan
+  std::size_t bad_edges;
+  std::size_t bad_points;  ///< number of points whose faces do not form a single fan
   bool manifold() const { return bad_edges == 0 && bad_points == 0; }
 };
 
 Topology topology(const Mesh& mesh);
 
 struct UvQuality {
-  std::size_t charts = 0;
-  std::size_t flipped_faces = 0;
-  double flipped = 0;      ///< UV area of the flipped faces, as a fraction of the UV area of all faces
-  double overlapping = 0;  ///< texels covered by several faces, as a fraction of all covered texels
-  double covered = 0;      ///< fraction of the unit square that is covered by faces
+  std::size_t charts;
+  std::size_t flipped_faces;
+  double flipped;      ///< UV area of the flipped faces, as a fraction of the UV area of all faces
+  double overlapping;  ///< texels covered by several faces, as a fraction of all covered texels
+  double covered;      ///< fraction of the unit square that is covered by faces
   /// The 1st, 50th and 99th percentile of the faces' area scales, weighted by surface area. The area scale of
   /// a face is its ratio of UV area to surface area, divided by the same ratio of the whole map. A face with
   /// the area scale 1 is neither enlarged nor reduced relative to the whole map. The number of strands per
   /// surface area is proportional to the area scale, because the fur texture lies in UV.
-  double area_low = 0, area_median = 0, area_high = 0;
-  double area_5 = 0, area_95 = 0;  ///< the 5th and the 95th percentile
+  double area_low, area_median, area_high;
+  double area_5, area_95;  ///< the 5th and the 95th percentile
 };
 
 /// Measures the UV map. Coverage and overlap are counted at the centres of `side` x `side` texels.

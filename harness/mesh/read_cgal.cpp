@@ -4,6 +4,7 @@
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "harness/mesh/soup.hpp"
@@ -16,18 +17,17 @@ bool read_by_cgal(const std::string& bytes, std::string_view format, Soup& soup)
   std::vector<std::vector<std::size_t>> polygons;
   std::istringstream in(bytes, std::ios::binary);
   const auto options = CGAL::parameters::verbose(false);
-  bool good = false;
-  if (format == "obj") good = CGAL::IO::read_OBJ(in, points, polygons, options);
-  if (format == "off") good = CGAL::IO::read_OFF(in, points, polygons, options);
-  if (format == "ply") good = CGAL::IO::read_PLY(in, points, polygons, options);
-  if (format == "stl") good = CGAL::IO::read_STL(in, points, polygons, options);
+  const bool good = format == "obj"   ? CGAL::IO::read_OBJ(in, points, polygons, options)
+                    : format == "off" ? CGAL::IO::read_OFF(in, points, polygons, options)
+                    : format == "ply" ? CGAL::IO::read_PLY(in, points, polygons, options)
+                                      : CGAL::IO::read_STL(in, points, polygons, options);
   soup.point.reserve(points.size());
   for (const Point& p : points) soup.point.emplace_back(p.x(), p.y(), p.z());
   soup.polygon.reserve(polygons.size());
   for (const auto& polygon : polygons) {
     auto& copy = soup.polygon.emplace_back();
     for (const std::size_t index : polygon)
-      copy.push_back(index > 0xffffffffu ? 0xffffffffu : std::uint32_t(index));
+      copy.push_back(std::uint32_t(std::min<std::size_t>(index, 0xffffffffu)));
   }
   return good;
 }

@@ -37,8 +37,7 @@ double uv_area(const Shape& shape) {
 }
 
 bool is_clean(const Shape& shape) {
-  return std::none_of(shape.begin(), shape.end(),
-                      [](const auto& corners) { return !(twice_uv_area(corners) > 0); }) &&
+  return std::ranges::all_of(shape, [](const auto& corners) { return twice_uv_area(corners) > 0; }) &&
          uv_overlaps(shape).empty();
 }
 
@@ -80,10 +79,8 @@ CutPlan slit(const Surface& piece) {
       if (next[f][k] == no_face) border.push_back(piece.point[piece.triangle[f][k]]);
   if (border.empty()) return plan;
   const glm::dvec3 innermost = farthest_from_cut(piece, plan, border).point;
-  const auto nearer = [&](const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::distance(a, innermost) < glm::distance(b, innermost);
-  };
-  plan.tips = {*std::min_element(border.begin(), border.end(), nearer), innermost};
+  const auto distance = [&](const glm::dvec3& p) { return glm::distance(p, innermost); };
+  plan.tips = {*std::ranges::min_element(border, {}, distance), innermost};
   return plan;
 }
 
@@ -251,8 +248,8 @@ std::vector<glm::dvec2> places(const Surface& surface, const std::vector<char>& 
 
 /// Places the charts and writes their UV. Returns false if there is not enough space.
 bool place(Surface& surface, const std::vector<char>& kept, std::vector<Chart>& charts) {
-  std::stable_sort(charts.begin(), charts.end(),
-                   [](const Chart& a, const Chart& b) { return a.size.x * a.size.y > b.size.x * b.size.y; });
+  std::ranges::stable_sort(charts, std::ranges::greater(),
+                           [](const Chart& chart) { return chart.size.x * chart.size.y; });
   double scale = 1;
   std::vector<glm::dvec2> list = places(surface, kept, charts, scale);
   while (list.empty() && scale > least_scale) list = places(surface, kept, charts, scale *= 0.95);
@@ -281,7 +278,7 @@ bool recut(Surface& surface, bool even, const std::string& name) {
   const Flattener flattener(surface, rules, per_uv, name);
   std::vector<Chart> charts;
   for (const Faces& faces : pieces.piece) flattener.add(faces, even, charts);
-  std::vector<char> kept(surface.triangle.size(), 0);
+  std::vector<char> kept(surface.triangle.size(), false);
   for (const Faces& faces : pieces.rest)
     for (const std::uint32_t f : faces) kept[f] = true;
   if (!place(surface, kept, charts)) {

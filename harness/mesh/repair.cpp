@@ -85,10 +85,10 @@ void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
   auto piece = mesh.add_property_map<Polyhedron::Face_index, std::size_t>("f:piece").first;
   const std::size_t pieces = PMP::connected_components(mesh, piece);
   std::vector<double> area(pieces, 0);
-  std::vector<char> open(pieces, 0);
+  std::vector<char> open(pieces, false);
   for (const auto f : mesh.faces()) area[piece[f]] += CGAL::to_double(PMP::face_area(f, mesh));
   for (const auto h : mesh.halfedges())
-    if (mesh.is_border(h)) open[piece[mesh.face(mesh.opposite(h))]] = 1;
+    if (mesh.is_border(h)) open[piece[mesh.face(mesh.opposite(h))]] = true;
   const double largest = *std::max_element(area.begin(), area.end());
   std::vector<std::size_t> kept;
   for (std::size_t n = 0; n < pieces; ++n)
@@ -160,7 +160,6 @@ Surface repair(const Soup& soup, const RepairOptions& options, const std::string
   fill_holes(mesh, options.fill_all, notes);
   PMP::remove_isolated_vertices(mesh);
   mesh.collect_garbage();
-  if (mesh.number_of_faces() == 0) throw InputError(fmt::format("{}: no face is left after repair", name));
   if (options.largest_only && CGAL::is_closed(mesh) && !PMP::is_outward_oriented(mesh)) {
     PMP::reverse_face_orientations(mesh);
     notes.push_back("turned all faces outwards");

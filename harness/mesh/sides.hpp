@@ -1,9 +1,9 @@
 // The sides of triangles, and groups of connected elements.
 #pragma once
 #include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,6 +16,7 @@ struct Side {
   std::uint32_t low, high;  ///< indices of the side's end points, low < high
   std::uint32_t face, corner;
   bool forward;  ///< true: `high` comes directly after `low` in the face's cyclic list of corners
+  auto operator<=>(const Side&) const = default;
 };
 
 /// Returns the sides of all triangles, sorted so that sides with the same end points are adjacent.
@@ -30,9 +31,7 @@ std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
       sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.low, x.high, x.face, x.corner) < std::tie(y.low, y.high, y.face, y.corner);
-  });
+  std::sort(sides.begin(), sides.end());
   return sides;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <compare>
 #include <cstring>
 #include <fstream>
 #include <glm/common.hpp>
@@ -18,6 +19,7 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/steps.hpp"
+#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {
@@ -38,8 +40,6 @@ bool finite(const glm::dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-constexpr std::int64_t most_bytes = std::int64_t(1) << 30;
-
 [[noreturn]] void damaged(const std::filesystem::path& file) {
   throw InputError(fmt::format("{}: the archive is damaged; install its package again", file.string()));
 }
@@ -51,19 +51,19 @@ std::tuple<double, double, double> key(const glm::dvec3& p) {
   return {p.x, p.y, p.z};
 }
 
-/// Returns the comparison -1, 0 or 1 of the corner lists of two faces, read from the corners `a` and `b` on.
-/// The points decide; if all of them are equal, their UV decide.
-int compare(const Indices& face, const Corners& uv, std::size_t a, const Indices& other,
-            const Corners& other_uv, std::size_t b) {
+/// Compares the corner lists of two faces, read from the corners `a` and `b` on. The points decide; if all of
+/// them are equal, their UV decide.
+std::partial_ordering compare(const Indices& face, const Corners& uv, std::size_t a, const Indices& other,
+                              const Corners& other_uv, std::size_t b) {
   const std::size_t n = face.size();
-  if (n != other.size()) return n < other.size() ? -1 : 1;
+  if (const auto order = n <=> other.size(); order != 0) return order;
   for (std::size_t k = 0; k < n; ++k)
-    if (const std::uint32_t p = face[(a + k) % n], q = other[(b + k) % n]; p != q) return p < q ? -1 : 1;
+    if (const auto order = face[(a + k) % n] <=> other[(b + k) % n]; order != 0) return order;
   for (std::size_t k = 0; k < n && !uv.empty(); ++k) {
     const glm::dvec2 p = uv[(a + k) % n], q = other_uv[(b + k) % n];
-    if (p != q) return std::tie(p.x, p.y) < std::tie(q.x, q.y) ? -1 : 1;
+    if (const auto order = std::tie(p.x, p.y) <=> std::tie(q.x, q.y); order != 0) return order;
   }
-  return 0;
+  return std::partial_ordering::equivalent;
 }
 
 Indices order_of(std::size_t count) {
@@ -75,8 +75,7 @@ Indices order_of(std::size_t count) {
 /// Sorts the points, and returns the new number of each old point.
 Indices sort_points(std::vector<glm::dvec3>& point) {
   Indices order = order_of(point.size()), number(point.size());
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(point[a]) < key(point[b]); });
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return key(point[i]); });
   std::vector<glm::dvec3> sorted;
   sorted.reserve(point.size());
   std::uint32_t first = 0;  // of the coincident points
@@ -188,7 +187,8 @@ std::optional<std::string> read_member(const std::filesystem::path& file, const 
     if (name && name == member) break;
   }
   const std::int64_t size = archive_entry_size(entry);
-  if (size > most_bytes) throw InputError(fmt::format("{}: {} is too large", file.string(), member));
+  if (size > std::int64_t(largest_mesh_file))
+    throw InputError(fmt::format("{}: {} is too large", file.string(), member));
   // A damaged header may state a size that is far larger than the file. Therefore memory is allocated only
   // for the bytes that were read.
   std::string bytes, chunk(1 << 16, '\0');
@@ -239,7 +239,7 @@ namespace fs = std::filesystem;
 std::string_view json_text(std::string_view bytes) {
   constexpr std::size_t header = 12, chunk = 8;
   if (!bytes.starts_with("glTF")) return bytes;
-  std::uint32_t length = 0;
+  std::uint32_t length;
   if (bytes.size() < header + chunk) return {};
   std::memcpy(&length, bytes.data() + header, sizeof length);
   return bytes.substr(header + chunk, length);
@@ -307,10 +307,9 @@ namespace {
 // undefined.
 bool has_area(const std::vector<Surface::Corners>& uv) {
   double twice = 0;
-  glm::dvec2 low = uv.front()[0], high = low;
+  glm::dvec2 low = uv.front().front(), high = low;
   for (const Surface::Corners& t : uv) {
-    const glm::dvec2 d = t[1] - t[0], e = t[2] - t[0];
-    twice += std::abs(d.x * e.y - d.y * e.x);
+    twice += std::abs(twice_uv_area(t));
     for (const glm::dvec2& p : t) low = glm::min(low, p), high = glm::max(high, p);
   }
   const double side = std::max(high.x - low.x, high.y - low.y);

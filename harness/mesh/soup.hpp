@@ -42,6 +42,11 @@ bool has_mesh_ending(const std::filesystem::path& file);
 /// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
 inline constexpr std::uint64_t largest_mesh_file = std::uint64_t(1) << 30;
 
+/// Returns the limit of the memory for reading and preparing a mesh file of `size` bytes.
+constexpr std::uint64_t mesh_memory(std::uint64_t size) {
+  return (std::uint64_t(4) << 30) + 400 * size;
+}
+
 /// Reads a whole file. Throws InputError if the path is missing or a folder, or if the file is empty or
 /// larger than `limit` bytes.
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);

@@ -28,14 +28,14 @@ class Stages {
   void begin(const std::string& stage) {
     stage_ = stage;
     const double now = seconds();
-    if (!say_ || now < silent_s_) return;
+    if (now < silent_s_) return;
     say_(fmt::format("{}: {}, {:.0f} s", label_, stage_, now));
     told_ = now;
   }
   /// `fraction`: completed fraction of the stage, 0 to 1.
   void part(double fraction) {
     const double now = seconds();
-    if (!say_ || now < silent_s_ || now - told_ < 2.5 * silent_s_) return;
+    if (now < silent_s_ || now - told_ < 2.5 * silent_s_) return;
     say_(fmt::format("{}: {}, {:.0f}%, {:.0f} s", label_, stage_, 100 * fraction, now));
     told_ = now;
   }
@@ -58,10 +58,10 @@ class Stages {
 struct RepairOptions {
   /// True: fill all holes; false: fill a hole only if the diagonal of its bounding box is at most 1/10 of the
   /// diagonal of the mesh's bounding box.
-  bool fill_all = false;
+  bool fill_all;
   /// True: keep only the component with the most faces; false: keep all closed components, and each open
   /// component with at least 1% of the area of the largest component.
-  bool largest_only = true;
+  bool largest_only;
 };
 
 /// Converts a soup to an oriented triangle manifold. It welds coincident points, drops degenerate faces,
@@ -120,7 +120,7 @@ std::vector<Surface> split(const Surface& surface);
 /// `surface` with the packed UV map. `parts` is in the order in which split() returns the components. All
 /// charts have the same ratio of UV area to surface area. For up to 163 charts, the margin around a chart is
 /// 2/256 of the square's side, which is two texels of a wetness mask of 256 x 256 texels. For more charts,
-/// the margin is smaller. Throws InputError if a component has no UV map.
-Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name);
+/// the margin is smaller.
+Surface packed(const Surface& surface, const std::vector<Surface>& parts);
 
 }  // namespace pelage

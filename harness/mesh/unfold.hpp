@@ -34,8 +34,8 @@ Disk cut_open(const Surface& surface, const CutPlan& plan);
 
 /// The result of farthest_from_cut(): a surface point, and its distance from the cuts.
 struct Tip {
-  glm::dvec3 point{0};
-  double distance = 0;
+  glm::dvec3 point;
+  double distance;
 };
 /// Returns the surface point that is farthest from the cuts of `plan`, from plan.tips and from the points of
 /// `avoid`. The distance is the length of the shortest path along the edges.
@@ -89,7 +89,7 @@ Surface unfold_file(const Surface& surface, const CutPlan& plan, const std::stri
 /// A cut plan and the cost of its UV map.
 struct TriedPlan {
   CutPlan plan;
-  double cost = 0;  ///< cost of the UV map of a coarse version of the surface; a lower cost is better
+  double cost;  ///< cost of the UV map of a coarse version of the surface; a lower cost is better
 };
 /// Chooses cut plans by trial. The function tries cuts to the ends of the model's limbs (CutPlan::tips) one
 /// after another; each cut leads to the point farthest from the earlier cuts and from the ends tried before.

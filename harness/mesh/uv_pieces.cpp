@@ -38,7 +38,7 @@ std::vector<std::vector<std::uint32_t>> lists_of(const Pairs& pairs, const std::
 class Colours {
  public:
   Colours(const Neighbours& next, const std::vector<std::vector<std::uint32_t>>& overlap)
-      : next_(next), overlap_(overlap), colour_(overlap.size(), no_index), queued_(overlap.size(), 0) {}
+      : next_(next), overlap_(overlap), colour_(overlap.size(), no_index), queued_(overlap.size(), false) {}
 
   bool has(std::uint32_t f) const { return colour_[f] != no_index; }
   std::uint32_t of(std::uint32_t f) const { return colour_[f]; }
@@ -48,7 +48,7 @@ class Colours {
   std::vector<std::uint32_t> spread(std::uint32_t seed) {
     std::vector<std::uint32_t> group;
     std::deque<std::uint32_t> near{seed}, far;
-    queued_[seed] = 1;
+    queued_[seed] = true;
     while (!near.empty() || !far.empty()) {
       std::deque<std::uint32_t>& queue = near.empty() ? far : near;
       const std::uint32_t f = queue.front();
@@ -59,7 +59,7 @@ class Colours {
       for (const std::uint32_t g : next_[f])
         if (g != no_face && !overlap_[g].empty() && !has(g)) near.push_back(g);
       for (const std::uint32_t g : overlap_[f])
-        if (!queued_[g]) queued_[g] = 1, far.push_back(g);
+        if (!queued_[g]) queued_[g] = true, far.push_back(g);
     }
     return group;
   }
@@ -104,14 +104,14 @@ void mark_overlaps(const Pairs& pairs, const Neighbours& next, const std::vector
 
 /// Appends the connected groups of the triangles with mark[f] == which.
 void add_groups(const Neighbours& next, const std::vector<char>& mark, char which, std::vector<Faces>& all) {
-  std::vector<char> seen(mark.size(), 0);
+  std::vector<char> seen(mark.size(), false);
   for (std::uint32_t seed = 0; seed < mark.size(); ++seed) {
     if (mark[seed] != which || seen[seed]) continue;
     std::vector<std::uint32_t> group{seed};
-    seen[seed] = 1;
+    seen[seed] = true;
     for (std::size_t i = 0; i < group.size(); ++i)
       for (const std::uint32_t g : next[group[i]])
-        if (g != no_face && !seen[g] && mark[g] == which) seen[g] = 1, group.push_back(g);
+        if (g != no_face && !seen[g] && mark[g] == which) seen[g] = true, group.push_back(g);
     std::sort(group.begin(), group.end());
     all.push_back(std::move(group));
   }
@@ -127,11 +127,11 @@ double sum_of(const std::vector<double>& area, const Faces& faces) {
 void mark_stretch(const Surface& surface, const Neighbours& next, const std::vector<double>& area,
                   double most, double least, std::vector<char>& mark) {
   std::vector<char> stretch(mark.size(), stays);
-  double total = 0, uv_total = 0;
+  double total = 0, uv_total = 0;  // uv_total: twice the area of the map
   for (std::size_t f = 0; f < area.size(); ++f)
-    total += area[f], uv_total += 0.5 * std::abs(twice_uv_area(surface.uv[f]));
+    total += area[f], uv_total += std::abs(twice_uv_area(surface.uv[f]));
   for (std::size_t f = 0; f < area.size(); ++f) {
-    const double ratio = 0.5 * std::abs(twice_uv_area(surface.uv[f])) * total / (area[f] * uv_total);
+    const double ratio = std::abs(twice_uv_area(surface.uv[f])) * total / (area[f] * uv_total);
     if (ratio > most) stretch[f] = enlarged;
     if (ratio * most < 1) stretch[f] = shrunk;
   }
@@ -219,13 +219,13 @@ Neighbours neighbours_of(const Surface& surface, bool in_uv) {
 }
 
 Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
-  const std::size_t count = surface.triangle.size();
   std::vector<double> area;
   for (const auto& [a, b, c] : surface.triangle)
     area.push_back(0.5 * glm::length(glm::cross(surface.point[b] - surface.point[a],
                                                 surface.point[c] - surface.point[a])));
-  std::vector<char> mark(count, 0);
-  for (std::size_t f = 0; f < count; ++f) mark[f] = twice_uv_area(surface.uv[f]) < 0 ? overlaps : stays;
+  std::vector<char> mark;
+  for (const Surface::Corners& corners : surface.uv)
+    mark.push_back(twice_uv_area(corners) < 0 ? overlaps : stays);
   const Neighbours next = neighbours_of(surface, true);
   const double small = 4 * std::numbers::pi * rules.growth * rules.growth;
   if (rules.most_stretch > 0) mark_stretch(surface, next, area, rules.most_stretch, small / 4, mark);

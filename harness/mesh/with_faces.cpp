@@ -64,7 +64,7 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
   SMS::edge_collapse(mesh, Few_enough_faces{faces, before, &part},
                      CGAL::parameters::filter(SMS::Bounded_normal_change_filter<>()));
   mesh.collect_garbage();
-  if (mesh.number_of_faces() + 0u < before)
+  if (mesh.number_of_faces() < before)
     notes.push_back(fmt::format("collapsed edges from {} faces to {}", before, mesh.number_of_faces()));
   if (mesh.number_of_faces() == faces + 1) {
     drop_lowest_face(mesh, up);
