@@ -1,8 +1,10 @@
 // Checks PLY files and reduces them to points and faces. CGAL's reader does not check the header: it
 // allocates memory for lists of any length that the file states, and crashes on properties of unexpected
 // types.
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "harness/mesh/mesh_text.hpp"
@@ -48,6 +50,8 @@ struct Header {
   std::size_t size = 0;  ///< size of the header in bytes
 };
 
+constexpr std::string_view formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+
 class HeaderReader {
  public:
   HeaderReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name), lines_(bytes) {}
@@ -78,14 +82,9 @@ class HeaderReader {
     Words words(line_);
     const std::string_view word = words.next(), format = words.next(), version = words.next();
     if (word != "format" || version.empty()) fail("the line must be 'format ascii 1.0' or a binary format");
-    if (format == "ascii")
-      header_.format = Header::Format::text;
-    else if (format == "binary_little_endian")
-      header_.format = Header::Format::little_endian;
-    else if (format == "binary_big_endian")
-      header_.format = Header::Format::big_endian;
-    else
-      fail(fmt::format("the format {} is unknown", shown(format)));
+    const auto found = std::ranges::find(formats, format);
+    if (found == std::end(formats)) fail(fmt::format("the format {} is unknown", shown(format)));
+    header_.format = Header::Format(found - std::begin(formats));
   }
 
   void read_element(Words& words) {
@@ -117,15 +116,16 @@ class HeaderReader {
   // of the faces.
   void choose() {
     Element &vertex = one("vertex"), &face = one("face");
-    for (const char* name : {"x", "y", "z"}) {
-      Property* const found = find(vertex, name);
-      if (found == nullptr || found->count || found->type.whole())
+    for (const std::string_view name : {"x", "y", "z"}) {
+      const auto found = std::ranges::find(vertex.properties, name, &Property::name);
+      if (found == vertex.properties.end() || found->count || found->type.whole())
         detail::fail(name_, 0, fmt::format("the vertices have no property {} of type float or double", name));
       found->kept = true;
     }
-    for (const char* name : {"vertex_indices", "vertex_index"}) {
-      Property* const found = find(face, name);
-      if (found == nullptr || !found->count || !found->type.whole() || found->type.bytes != 4) continue;
+    for (const std::string_view name : {"vertex_indices", "vertex_index"}) {
+      const auto found = std::ranges::find(face.properties, name, &Property::name);
+      if (found == face.properties.end() || !found->count || !found->type.whole() || found->type.bytes != 4)
+        continue;
       found->kept = true;
       return;
     }
@@ -143,12 +143,6 @@ class HeaderReader {
     return *found;
   }
 
-  static Property* find(Element& element, std::string_view name) {
-    for (Property& property : element.properties)
-      if (property.name == name) return &property;
-    return nullptr;
-  }
-
   Type type_of(std::string_view name) const {
     for (const Type& type : types)
       if (type.name == name || type.other_name == name) return type;
@@ -164,7 +158,6 @@ class HeaderReader {
 
 /// Returns the header of the reduced PLY file, which contains only the properties marked as `kept`.
 std::string kept_header(const Header& header) {
-  constexpr const char* formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
   std::string text = fmt::format("ply\nformat {} 1.0\n", formats[int(header.format)]);
   for (const Element& element : header.elements) {
     if (element.name != "vertex" && element.name != "face") continue;

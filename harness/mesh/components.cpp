@@ -31,9 +31,8 @@ struct Chart {
 // rotations with a bounding box that is at least as wide as high.
 Chart measured(const Surface& part) {
   double area = 0, uv_area = 0;
-  for (std::size_t f = 0; f < part.triangle.size(); ++f) {
-    const auto& [a, b, c] = part.triangle[f];
-    area += 0.5 * glm::length(glm::cross(part.point[b] - part.point[a], part.point[c] - part.point[a]));
+  for (std::uint32_t f = 0; f < part.triangle.size(); ++f) {
+    area += surface_area(part, f);
     uv_area += 0.5 * std::abs(twice_uv_area(part.uv[f]));
   }
   Chart chart{.scale = std::sqrt(area / uv_area)};

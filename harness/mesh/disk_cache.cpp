@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 
@@ -15,16 +15,6 @@
 
 namespace pelage {
 namespace {
-
-bool write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes.remove_prefix(std::size_t(written));
-  }
-  return true;
-}
 
 /// FNV-1a over words of 8 bytes in four interleaved sequences, which is 20 times as fast as over single
 /// bytes.
@@ -88,7 +78,9 @@ bool write_cache_file(const std::filesystem::path& file, std::string_view bytes)
   std::string beside = file.string() + ".XXXXXX";
   const int out = ::mkostemp(beside.data(), O_CLOEXEC);
   if (out < 0) return false;
-  const bool written = write_all(out, bytes) && ::fchmod(out, 0644) == 0 && ::fsync(out) == 0;
+  std::ofstream stream(beside, std::ios::binary);
+  stream << bytes << std::flush;
+  const bool written = stream && ::fchmod(out, 0644) == 0 && ::fsync(out) == 0;
   if (::close(out) != 0 || !written || ::rename(beside.c_str(), file.c_str()) != 0) {
     ::unlink(beside.c_str());
     return false;

@@ -165,7 +165,6 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation) {
   std::ranges::stable_sort(copy_order, {}, [&](std::uint32_t i) { return rank[mesh.weld[i]]; });
   const std::vector<std::uint32_t> number = inverse(copy_order);
   std::vector<Surface::Triangle> welded;
-  welded.reserve(mesh.triangle.size());
   for (const glm::uvec3& t : mesh.triangle)
     welded.push_back({mesh.weld[t.x], mesh.weld[t.y], mesh.weld[t.z]});
 

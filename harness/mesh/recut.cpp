@@ -22,11 +22,7 @@ constexpr double least_scale = 0.5;           // a map that would become smaller
 
 double surface_area(const Surface& surface, const Faces& faces) {
   double sum = 0;
-  for (const std::uint32_t f : faces) {
-    const auto& [a, b, c] = surface.triangle[f];
-    sum += 0.5 *
-           glm::length(glm::cross(surface.point[b] - surface.point[a], surface.point[c] - surface.point[a]));
-  }
+  for (const std::uint32_t f : faces) sum += surface_area(surface, f);
   return sum;
 }
 
@@ -136,7 +132,7 @@ double stretched_share(const Surface& surface, const Faces& faces, const Shape& 
   const double area = surface_area(surface, faces), ratio = uv_area(shape) / area;
   double sum = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const double own = surface_area(surface, {faces[i]}), uv = 0.5 * std::abs(twice_uv_area(shape[i]));
+    const double own = surface_area(surface, faces[i]), uv = 0.5 * std::abs(twice_uv_area(shape[i]));
     if (uv > factor * ratio * own || factor * uv < ratio * own) sum += own;
   }
   return sum / area;

@@ -130,13 +130,11 @@ void check_soup(const Soup& soup, const std::string& name) {
   for (std::size_t i = 0; i < soup.point.size(); ++i)
     if (!finite(soup.point[i]))
       throw InputError(fmt::format("{}: a coordinate of vertex {} is not finite", name, i));
-  for (std::size_t f = 0; f < soup.polygon.size(); ++f) {
-    for (const std::uint32_t index : soup.polygon[f]) {
+  for (std::size_t f = 0; f < soup.polygon.size(); ++f)
+    for (const std::uint32_t index : soup.polygon[f])
       if (index >= soup.point.size())
         throw InputError(fmt::format("{}: face {} has a vertex out of range; there are {} vertices", name, f,
                                      soup.point.size()));
-    }
-  }
 }
 
 Soup parse_soup(std::string bytes, std::string_view format, const std::string& name) {

@@ -220,9 +220,7 @@ Neighbours neighbours_of(const Surface& surface, bool in_uv) {
 
 Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
   std::vector<double> area;
-  for (const auto& [a, b, c] : surface.triangle)
-    area.push_back(0.5 * glm::length(glm::cross(surface.point[b] - surface.point[a],
-                                                surface.point[c] - surface.point[a])));
+  for (std::uint32_t f = 0; f < surface.triangle.size(); ++f) area.push_back(surface_area(surface, f));
   std::vector<char> mark;
   for (const Surface::Corners& corners : surface.uv)
     mark.push_back(twice_uv_area(corners) < 0 ? overlaps : stays);
@@ -243,6 +241,12 @@ Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
     for (const char reason : {overlaps, shrunk, enlarged}) add_groups(next, mark, reason, pieces.piece);
   }
   return pieces;
+}
+
+double surface_area(const Surface& surface, std::uint32_t f) {
+  const auto& [a, b, c] = surface.triangle[f];
+  return 0.5 *
+         glm::length(glm::cross(surface.point[b] - surface.point[a], surface.point[c] - surface.point[a]));
 }
 
 double twice_uv_area(const Surface::Corners& uv) {

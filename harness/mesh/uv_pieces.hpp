@@ -47,6 +47,9 @@ struct PieceRules {
 /// pieces.
 Pieces choose_pieces(const Surface& surface, const PieceRules& rules);
 
+/// Returns the area of a triangle on the surface.
+double surface_area(const Surface& surface, std::uint32_t f);
+
 /// Returns twice the signed area of a triangle in UV. It is negative if the triangle is flipped (clockwise).
 double twice_uv_area(const Surface::Corners& uv);
 
