@@ -1,9 +1,9 @@
 // Tests that the same octahedron or tetrahedron is read from every file format.
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/steps.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 
@@ -105,16 +105,10 @@ void expect_octahedron(const std::string& file) {
   const Topology t = topology(*mesh);
   EXPECT_EQ(t.points, 6u) << file;
   EXPECT_EQ(t.faces, 8u) << file;
-  EXPECT_EQ(t.edges, 12u) << file;
-  EXPECT_EQ(t.genus, 0) << file;
-  EXPECT_EQ(t.boundary_edges, 0u) << file;
   EXPECT_TRUE(t.manifold()) << file;
-  for (const glm::vec3& p : mesh->position) EXPECT_NEAR(glm::length(p), 1.0f, 1e-5f) << file;
-  for (const glm::uvec3& f : mesh->triangle) {
-    const glm::vec3 a = mesh->position[f.x], b = mesh->position[f.y], c = mesh->position[f.z];
-    EXPECT_GT(glm::dot(glm::cross(b - a, c - a), a + b + c), 0.0f) << file << ": a face looks inwards";
-  }
-  EXPECT_EQ(uv_quality(*mesh, 256).flipped_faces, 0u) << file;
+  EXPECT_TRUE(!bits_of_cgal || mesh->hash == "b599a2fb3f55c215") << file << mesh->hash;
+  for (const std::string& note : mesh->notes)
+    EXPECT_TRUE(note.starts_with("UV map: one chart, ") || note == "welded 18 coincident points") << note;
 }
 
 struct Formats : test::InFolder {};
@@ -133,15 +127,17 @@ TEST_F(Formats, every_one_is_read) {
 
 TEST_F(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {
   expect_octahedron(folder.write("OCTA.OBJ", "mtllib a.mtl\n" + corners("v ") +
-                                                 "vn 0 0 1\nusemtl a\ns off\nl 1 2\n" + "f 1/1/1 3//1 5\n" +
+                                                 "vn 0 0 1\nusemtl a\ns off\nl 1 2\n" + "f -6/1/1 3//1 5\n" +
                                                  faces("f", 1).substr(8)));
 }
 
 TEST_F(Formats, an_obj_keeps_its_own_map_when_asked_to) {
   const std::string file = folder.write(
       "quad.obj",
-      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt 0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n");
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt 0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\nl 1 2\n");
   const auto kept = load_model(file, fresh({}, true));
+  EXPECT_EQ(kept->notes, (std::vector<std::string>{"kept the file's own UV map; nothing was repaired",
+                                                   "welded 2 coincident points"}));
   ASSERT_EQ(kept->uv.size(), 4u);
   for (const glm::vec2 wanted :
        {glm::vec2(0.25f, 0.25f), glm::vec2(0.75f, 0.25f), glm::vec2(0.75f, 0.5f), glm::vec2(0.25f, 0.5f)})
@@ -175,13 +171,59 @@ TEST_F(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
 // Each file contains one triangle. The texture coordinates of its corners coincide or lie on a line, so the
 // UV map has no area.
 TEST_F(Formats, a_map_without_an_area_is_not_kept) {
-  for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 0\nvt 0.25 0\n",
+  for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 1\nvt 0.25 0.25\n",
                          "vt 5 5\nvt 5 5\nvt 5 5\n", "vt 1e200 0\nvt 1e200 0\nvt 1e200 0\n"}) {
     const std::string file =
         folder.write("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n") + uv + "f 1/1 2/2 3/3\n");
     const std::string said = test::refusal([&] { load_model(file, fresh({}, true)); });
     EXPECT_EQ(said, file + ": the file's UV map has no area; leave out --keep-uv") << uv;
   }
+}
+
+TEST_F(Formats, triangles_without_three_points_are_dropped) {
+  Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}, {}};
+  soup.uv.assign(4, {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)});
+  const Surface surface = weld(soup, "a");
+  EXPECT_EQ(surface.triangle, (std::vector<Surface::Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(surface.notes, (std::vector<std::string>{"kept the file's own UV map; nothing was repaired",
+                                                     "dropped 3 degenerate faces"}));
+}
+
+// CGAL reads only points and faces, so that nothing else reaches it.
+TEST_F(Formats, reach_cgal_without_what_does_not_matter_here) {
+  const auto kept = [](std::string bytes, const char* format) {
+    detail::check_text(bytes, format, "a");
+    return bytes;
+  };
+  for (const std::string word : {"OFF", "COFF", "NOFF", "CNOFF"})
+    EXPECT_EQ(kept(word + " # a\n\n3\t2 0\n0 0 0 255 0 9\n1 0 0 1\n0 1\t0\r\n3 0 1 2 0.5\n1 0\n", "off"),
+              "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1\t0\n3 0 1 2\n1 0\n");
+  EXPECT_EQ(kept("v 0 0 0# a\nvn 0 0 1\nv 1\t0 0\r\nv 0 1 0\nf -3/1 2//1 +3\n", "obj"),
+            "v 0 0 0\nv 1\t0 0\r\nv 0 1 0\nf -3/1 2//1 +3\n");
+  const std::string solid = "solid" + std::string(75, ' ') + '\1' + std::string(53, '\0');  // is binary
+  EXPECT_EQ(kept(solid, "stl"), solid);
+
+  const auto ply = [](const std::string& format, const std::string& elements, const std::string& values) {
+    return "ply\nformat " + format + " 1.0\nelement vertex 1\n" + elements + "end_header\n" + values;
+  };
+  const std::string all =
+      "property int8 a\nproperty float32 x\nproperty uchar b\nproperty double y\nproperty short c\n"
+      "property uint16 d\nproperty float z\nproperty int e\nproperty uint f\nproperty list char uchar g\n"
+      "property list ushort uchar h\nelement edge 1\nproperty int i\n"
+      "element face 1\nproperty list uint8 int32 vertex_index\nproperty uchar j\n";
+  const std::string wanted =
+      "property float x\nproperty double y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_index\n";
+  EXPECT_EQ(kept(ply("ascii", all,
+                     "-128 0.5 0 1 -32768 65535 2e3 -2147483648 4294967295 2 7 7 0\n9\n3 0 0 0 255\n"),
+                 "ply"),
+            ply("ascii", wanted, " 0.5  1  2e3 \n3 0 0 0 "));
+  for (const auto& [format, h] : {std::pair("binary_little_endian", "\2\1"), {"binary_big_endian", "\1\2"}})
+    EXPECT_EQ(kept(ply(format, all,
+                       "axxxxbyyyyyyyyccddzzzzeeeeffff@" + std::string(64, 'g') + h + std::string(258, 'h') +
+                           "iiii\3kkkkkkkkkkkkj"),
+                   "ply"),
+              ply(format, wanted, "xxxxyyyyyyyyzzzz\3kkkkkkkkkkkk"));
 }
 
 TEST_F(Formats, what_can_be_repaired_is_and_it_is_said) {

@@ -39,6 +39,7 @@ TEST_F(OutsideFiles, AreThoseThatTheGltfFileNames) {
       detail::gltf_files(folder.write("b.gltf", gltf_with("data:application/octet-stream;base64,AAAA")))
           .empty());
   EXPECT_TRUE(detail::gltf_files(folder.write("c.gltf", "no JSON")).empty());
+  EXPECT_TRUE(detail::gltf_files(R"({"buffers": [7, {}, {"uri": 7}]})", "e.gltf").empty());
   const std::string json = gltf_with("a%20bed.bin");
   std::string binary = "glTF" + std::string("\2\0\0\0\0\0\0\0", 8);
   const auto length = std::uint32_t(json.size());

@@ -50,6 +50,21 @@ TEST(Quality, of_two_triangles_that_make_the_square) {
   EXPECT_NEAR(q.covered, 1.0, 1e-9);
   EXPECT_NEAR(q.area_low, 1.0, 1e-6);
   EXPECT_NEAR(q.area_high, 1.0, 1e-6);
+
+  // A texel whose centre is the common corner of four triangles belongs to one of them.
+  const glm::vec2 centre(0.5f);
+  const UvQuality fan =
+      uv_quality(flat({{o, x, centre}, {x, xy, centre}, {xy, y, centre}, {y, o, centre}}), 1);
+  EXPECT_EQ(fan.covered, 1.0);
+  EXPECT_EQ(fan.overlapping, 0.0);
+}
+
+TEST(Quality, of_a_mesh_without_faces_is_a_number) {
+  const UvQuality q = uv_quality(Mesh{}, 8);
+  EXPECT_EQ(q.charts, 0u);
+  EXPECT_EQ(q.flipped, 0.0);
+  EXPECT_EQ(q.overlapping, 0.0);
+  EXPECT_TRUE(uv_warnings(Mesh{}).empty());
 }
 
 TEST(Quality, knows_overlaps_and_faces_turned_over) {
@@ -60,10 +75,13 @@ TEST(Quality, knows_overlaps_and_faces_turned_over) {
   EXPECT_NEAR(q.flipped, 0.5, 1e-6);
   EXPECT_NEAR(q.overlapping, 1.0, 1e-9);
   EXPECT_NEAR(q.covered, 0.5, 0.01);
+  EXPECT_EQ(uv_quality(flat(std::vector<std::array<glm::vec2, 3>>(256, {o, x, xy})), 9).overlapping, 1.0);
 }
 
 TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
-  EXPECT_TRUE(uv_warnings(flat({{o, x, xy}, {o, xy, y}})).empty());
+  // The third triangle covers 52 of the 2048 x 2048 texels, and the fourth has no area.
+  const glm::vec2 near(0.005f, 0), corner(0.005f);
+  EXPECT_TRUE(uv_warnings(flat({{o, x, xy}, {o, xy, y}, {o, near, corner}, {o, x, x}})).empty());
   const std::vector<std::string> overlap = uv_warnings(flat({{o, x, xy}, {o, x, xy}, {o, xy, y}}));
   ASSERT_EQ(overlap.size(), 1u);
   // The faces overlap in half of the covered square.
@@ -77,6 +95,7 @@ TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
 
 TEST(Quality, knows_what_is_no_manifold) {
   const glm::vec2 far(2, 0.5f);
+  EXPECT_FALSE(topology(flat({{o, x, y}, {o, x, xy}})).manifold());
   EXPECT_EQ(topology(flat({{o, x, y}, {o, x, xy}})).bad_edges, 1u);                  // same direction o to x
   EXPECT_EQ(topology(flat({{o, x, y}, {x, o, xy}, {x, o, far}})).bad_edges, 1u);     // three faces
   EXPECT_EQ(topology(flat({{o, x, y}, {x, far, glm::vec2(2, 0)}})).bad_points, 1u);  // only x is common
