@@ -193,7 +193,7 @@ class Body {
     const std::string_view before = rest_;
     const std::int64_t count = property.count ? whole(*property.count) : 1;
     // Each value needs at least one byte, so a list cannot have more values than the file has bytes left.
-    if (count < 0 || std::uint64_t(count) > rest_.size())
+    if (property.count && (count < 0 || std::uint64_t(count) > rest_.size()))
       fail(fmt::format("a list of {} values does not fit into the rest of the file, which has {} bytes",
                        count, rest_.size()));
     if (header_.format != Header::Format::text)

@@ -53,7 +53,10 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
     } else {
       continue;
     }
-    kept.append(line.substr(0, line.find('#'))).push_back('\n');
+    // CGAL's reader separates the corners of a face only at spaces.
+    words = Words(line.substr(0, line.find('#')));
+    for (std::string_view word; !(word = words.next()).empty();) kept.append(word).push_back(' ');
+    kept.back() = '\n';
   }
   if (largest > vertices)
     fail(name, largest_line,

@@ -154,7 +154,7 @@ fs::path frame_file(const fs::path& first, int frame) {
         "mesh.frames: {}: the name of the first frame's file needs a number that counts up, such as walk-0000.obj",
         first.string()));
   const std::size_t first_digit = stem.find_last_not_of("0123456789", last) + 1;  // npos + 1 is 0
-  const std::size_t begin = std::max(first_digit, last > 8 ? last - 8 : 0);
+  const std::size_t begin = std::max(first_digit, last > 17 ? last - 17 : 0);
   const std::string digits = stem.substr(begin, last + 1 - begin);
   const std::string number = fmt::format("{:0{}}", std::stol(digits) + frame, digits.size());
   return first.parent_path() /

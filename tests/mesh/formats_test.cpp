@@ -137,7 +137,7 @@ TEST_F(Formats, an_obj_keeps_its_own_map_when_asked_to) {
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt 0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\nl 1 2\n");
   const auto kept = load_model(file, fresh({}, true));
   EXPECT_EQ(kept->notes, (std::vector<std::string>{"kept the file's own UV map; nothing was repaired",
-                                                   "welded 2 coincident points"}));
+                                                   "coincident or unused points left out: 2"}));
   ASSERT_EQ(kept->uv.size(), 4u);
   for (const glm::vec2 wanted :
        {glm::vec2(0.25f, 0.25f), glm::vec2(0.75f, 0.25f), glm::vec2(0.75f, 0.5f), glm::vec2(0.25f, 0.5f)})
@@ -181,12 +181,14 @@ TEST_F(Formats, a_map_without_an_area_is_not_kept) {
 }
 
 TEST_F(Formats, triangles_without_three_points_are_dropped) {
-  Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}, {}};
+  Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}}, {{0, 1, 2}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}, {}};
   soup.uv.assign(4, {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)});
   const Surface surface = weld(soup, "a");
   EXPECT_EQ(surface.triangle, (std::vector<Surface::Triangle>{{0, 1, 2}}));
   EXPECT_EQ(surface.notes, (std::vector<std::string>{"kept the file's own UV map; nothing was repaired",
+                                                     "coincident or unused points left out: 1",
                                                      "dropped 3 degenerate faces"}));
+  EXPECT_EQ(surface.point.size(), 3u);
 }
 
 // CGAL reads only points and faces, so that nothing else reaches it.
@@ -198,8 +200,8 @@ TEST_F(Formats, reach_cgal_without_what_does_not_matter_here) {
   for (const std::string word : {"OFF", "COFF", "NOFF", "CNOFF"})
     EXPECT_EQ(kept(word + " # a\n\n3\t2 0\n0 0 0 255 0 9\n1 0 0 1\n0 1\t0\r\n3 0 1 2 0.5\n1 0\n", "off"),
               "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1\t0\n3 0 1 2\n1 0\n");
-  EXPECT_EQ(kept("v 0 0 0# a\nvn 0 0 1\nv 1\t0 0\r\nv 0 1 0\nf -3/1 2//1 +3\n", "obj"),
-            "v 0 0 0\nv 1\t0 0\r\nv 0 1 0\nf -3/1 2//1 +3\n");
+  EXPECT_EQ(kept("v 0 0 0# a\nvn 0 0 1\nv 1\t0 0\r\nv 0 1 0\nf\t-3/1\t2//1 +3 \n", "obj"),
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3/1 2//1 +3\n");
   const std::string solid = "solid" + std::string(75, ' ') + '\1' + std::string(53, '\0');  // is binary
   EXPECT_EQ(kept(solid, "stl"), solid);
 

@@ -60,7 +60,7 @@ TEST_F(MeshFrames, FilesCountUp) {
   EXPECT_EQ(frame_file("walk/a-0009.obj", 0), "walk/a-0009.obj");
   EXPECT_EQ(frame_file("walk/a-0009.obj", 1), "walk/a-0010.obj");
   EXPECT_EQ(frame_file("walk2/a9.final.ply", 2), "walk2/a11.final.ply");
-  EXPECT_EQ(frame_file("99.off", 1), "100.off");
+  EXPECT_EQ(frame_file("9999999999.off", 1), "10000000000.off");
   EXPECT_EQ(frame_file("20261125123456789.off", 1), "20261125123456790.off");
   EXPECT_THROW(frame_file("walk3/a.obj", 1), InputError);
 }
