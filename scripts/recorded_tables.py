@@ -144,8 +144,8 @@ def options():
     times = {row["variant"]: f"{row['by_fastest']:.2f}" for row in table("rivals/rival-options.csv")}
     names = sorted({name for name, _ in psnr}, key=lambda name: (times.get(name, "9"), name))
     yield "Variants of the OpenGL baseline", (
-        "Frame time / frame time of the fastest variant, and PSNR (dB) against the reference (experiment "
-        "rival-options)."), markdown(
+        "Time: frame time / frame time of the fastest variant that is ok. 16 and 64 layers: PSNR (dB) against the "
+        "reference (experiment rival-options)."), markdown(
         ["variant", "time", "16 layers", "64 layers"],
         [[name, times.get(name, "picture differs"), psnr.get((name, 16), ""), psnr.get((name, 64), "")] for name in names])
 
@@ -176,7 +176,7 @@ def networks():
     silva = {(row["model"], row["layers"], row["size"]): row["median_ms"] for row in cells["silva",]}
     steps = by(table("topology/banisch2006-longest-step.csv"), "dynamics.topology", "dynamics.solver", "reading")
     yield "Mass-spring topologies", (
-        "The 32 cells of Table 1 (experiment topology-table1), and the longest stable time steps in ms "
+        "The 32 cells of Table 1 (experiment topology-table1). Last four columns: longest stable time step in ms "
         "(experiment banisch2006-longest-step)."), markdown(
         ["topology", "simulation (ms)", "largest share of the frame", "frame time / frame with S's strands",
          *(f"{solver}, {reading[1:]} N/m" for solver in ("explicit-euler", "backward-euler") for reading in ("k10", "k1000"))],
@@ -268,19 +268,19 @@ def trials():
     verdicts = by(table("aa-test/trials.csv"), "side", "verdict")
     sides = {side: sum(len(rows) for (s, _), rows in verdicts.items() if s == side) for side in ("equal", "slower")}
     wrong = sum(len(verdicts["equal", verdict]) for verdict in ("faster", "slower"))
-    yield "Verdicts of `pelage compare`", "What `scripts/aa_test.py` counted.", markdown(
+    yield "Verdicts of `pelage compare`", "Comparisons by `scripts/aa_test.py` of two sides with equal work, or with 6% more in one.", markdown(
         ["sides", "comparisons", "called different"],
         [["equal", sides["equal"], wrong], ["6% more work", sides["slower"], len(verdicts["slower", "slower"])]])
 
 
 INTRODUCTION = """# Recorded results
 
-A virtual machine with two AMD EPYC cores and no GPU recorded these results (OpenCL by PoCL, OpenGL by llvmpipe).
-`scripts/record_all.sh` records them again, and `scripts/recorded_tables.py` writes this page; a test compares the page
-with the tables. The rows are in one folder per experiment, `results/tables` holds the tables and plots that
-`pelage report` made of them, [claims.md](claims.md) the verdicts on the papers' claims, and [notes.md](notes.md) what
-was tried to make the kernels faster. Numbers in square brackets are 95% intervals. [The glossary](../docs/glossary.md)
-defines the terms.
+A virtual machine with two AMD EPYC cores and no GPU recorded these results (PoCL, and llvmpipe for OpenGL).
+`scripts/record_all.sh` records all results again. Each experiment has a folder with its rows. `results/tables` holds
+the tables and plots that `pelage report` made of them, from which `scripts/recorded_tables.py` writes this page (a
+test compares both). [claims.md](claims.md) has the verdicts on the papers' claims, [notes.md](notes.md) what was tried
+to make the kernels faster. Numbers in square brackets are 95% intervals. [The glossary](../docs/glossary.md) defines
+the terms.
 """
 
 
