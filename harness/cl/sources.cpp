@@ -82,8 +82,7 @@ std::string options_read(const std::string& options, const SourceTexts& sources)
       std::string macro;
       words >> macro;
       const std::string name = macro.substr(0, macro.find('='));
-      if (std::none_of(sources.begin(), sources.end(),
-                       [&](const auto& source) { return has_name(source.second, name); }))
+      if (std::ranges::none_of(sources, [&](const auto& source) { return has_name(source.second, name); }))
         continue;
       word += ' ' + macro;
     }

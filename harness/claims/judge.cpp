@@ -21,8 +21,7 @@ constexpr double significance = 0.05;
 /// or vice versa. All effects have equally many draws, so that their p-values increase with this number.
 std::ptrdiff_t contradicting(const Estimate& estimate, const Region& region) {
   const bool inside = region.contains(estimate.value);
-  return std::count_if(estimate.draws.begin(), estimate.draws.end(),
-                       [&](double draw) { return region.contains(draw) != inside; });
+  return std::ranges::count_if(estimate.draws, [&](double draw) { return region.contains(draw) != inside; });
 }
 
 }  // namespace
@@ -135,9 +134,9 @@ std::string some_of(const std::vector<std::string>& texts) {
 }
 
 bool finite(const std::vector<Estimate>& estimates) {
-  return std::all_of(estimates.begin(), estimates.end(), [](const Estimate& estimate) {
-    return std::isfinite(estimate.value) && std::all_of(estimate.draws.begin(), estimate.draws.end(),
-                                                        [](double d) { return std::isfinite(d); });
+  return std::ranges::all_of(estimates, [](const Estimate& estimate) {
+    return std::isfinite(estimate.value) &&
+           std::ranges::all_of(estimate.draws, [](double d) { return std::isfinite(d); });
   });
 }
 

@@ -111,9 +111,8 @@ Case settled(Case which, const RunOptions& options, const cl::Device& device) {
 
 /// Returns the device's name as a file name, followed by "-PLATFORM.INDEX" if several devices have this name.
 std::string file_stem_of(const cl::Device& device, const std::vector<cl::Device>& all) {
-  const auto same = std::count_if(all.begin(), all.end(), [&](const cl::Device& other) {
-    return other.info().name == device.info().name;
-  });
+  const auto same = std::ranges::count_if(
+      all, [&](const cl::Device& other) { return other.info().name == device.info().name; });
   const std::string name = file_name_of(device.info().name);
   return same > 1 ? fmt::format("{}-{}.{}", name, device.info().platform_index, device.info().device_index)
                   : name;
@@ -139,8 +138,8 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
 /// - a row was recorded with another division of the cases among shards;
 /// - the inputs of a case changed after its row was recorded.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
-  const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
-                                     [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
+  const auto present =
+      std::ranges::count_if(plan.cases, [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
   if (!resume && present > 0)
     throw InputError(fmt::format(
         "{}: already contains {} of these cases: continue it with --resume, or give another folder with -o",
@@ -235,9 +234,8 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
 
   if (journal.dropped_bytes() > 0)
     progress.note(fmt::format("pelage: {}: removed an incomplete last row", file.string()));
-  progress.skip(std::size_t(std::count_if(plan.cases.begin(), plan.cases.end(), [&](const Case& c) {
-    return journal.holds(planned_key(plan, c));
-  })));
+  progress.skip(std::size_t(
+      std::ranges::count_if(plan.cases, [&](const Case& c) { return journal.holds(planned_key(plan, c)); })));
   std::vector<CasePicture> pictures;
   const auto keep_picture = [&pictures](const Row& row) {
     if (row.status == Status::ok)

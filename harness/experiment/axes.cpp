@@ -98,14 +98,13 @@ bool table_sets(const Experiment& experiment, const std::string& axis, const std
   const Tables& tables = tables_of(experiment, axis);
   const auto settings = tables.find(value);
   return settings != tables.end() &&
-         std::any_of(settings->second.begin(), settings->second.end(),
-                     [&](const Setting& setting) { return setting.first == key; });
+         std::ranges::any_of(settings->second, [&](const Setting& setting) { return setting.first == key; });
 }
 
 void check_axes(const Experiment& experiment, const Preset& preset, const Overrides& overrides,
                 const std::vector<Axis>& axes) {
   const auto in = [](const std::vector<Axis>& list, const std::string& key) {
-    return std::any_of(list.begin(), list.end(), [&](const Axis& axis) { return axis.key == key; });
+    return std::ranges::any_of(list, [&](const Axis& axis) { return axis.key == key; });
   };
   std::map<std::string, std::string> varied;  // scene keys and the axes that set them
   for (const Axis& axis : axes) {

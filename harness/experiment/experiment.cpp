@@ -44,8 +44,8 @@ std::string fit_for_a_name(const Axis& axis, const std::string& value) {
   std::string text = value;
   if (axis.key == "model") {
     const auto stem = [](const std::string& name) { return fs::path(name).stem(); };
-    const auto same = std::count_if(axis.values.begin(), axis.values.end(),
-                                    [&](const std::string& other) { return stem(other) == stem(value); });
+    const auto same = std::ranges::count_if(
+        axis.values, [&](const std::string& other) { return stem(other) == stem(value); });
     text = same > 1 ? fs::path(value).lexically_normal().replace_extension().string() : stem(value).string();
   }
   for (char& c : text)
@@ -56,8 +56,7 @@ std::string fit_for_a_name(const Axis& axis, const std::string& value) {
 std::vector<Axis> axes_of(const Experiment& experiment, const Preset& preset, const Overrides& overrides) {
   std::vector<Axis> axes = experiment.axes;
   auto replace = [&axes](const Axis& by) {
-    const auto found =
-        std::find_if(axes.begin(), axes.end(), [&by](const Axis& a) { return a.key == by.key; });
+    const auto found = std::ranges::find_if(axes, [&by](const Axis& a) { return a.key == by.key; });
     if (found == axes.end())
       axes.push_back(by);
     else
@@ -120,8 +119,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
         for (const Setting& setting : found->second) set(setting);
     // If the axis is "reading" or "variant", and its value in this case is the axis's first value in the
     // experiment file, the name of the case omits this value.
-    const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
-                                  [&k = key](const Axis& a) { return a.key == k; });
+    const auto own = std::ranges::find_if(experiment.axes, [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&
                         own->values.front() == value;
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(axes[i], value);
@@ -161,7 +159,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
         if (const auto here = values.find(at->second); here != values.end())
           for (const auto& [metric, least] : here->second) result.require[metric] = least;
     for (const Published& published : experiment.published)
-      if (std::all_of(published.at.begin(), published.at.end(), [&](const auto& key_value) {
+      if (std::ranges::all_of(published.at, [&](const auto& key_value) {
             const auto found = result.axes.find(key_value.first);
             return found != result.axes.end() && canonical(found->second) == canonical(key_value.second);
           }))
@@ -180,7 +178,7 @@ fs::path example_scene(const std::string& name) {
     if (file.stem() == name || file.filename() == name) return file;
     known.push_back(file.stem().string());
   }
-  std::sort(known.begin(), known.end());
+  std::ranges::sort(known);
   throw InputError(fmt::format("{}: there is no such scene file, and no such example in {}/ (examples: {})",
                                name, folder.string(), fmt::join(known, ", ")));
 }
@@ -192,7 +190,7 @@ Case control_case(const Experiment& experiment, const Case& which) {
   for (const Axis& axis : experiment.axes)
     axes.push_back({axis.key, {is_named(axis.key) ? axis.values.front() : which.axes.at(axis.key)}});
   for (const auto& [key, value] : which.axes)
-    if (std::none_of(axes.begin(), axes.end(), [&k = key](const Axis& axis) { return axis.key == k; }))
+    if (std::ranges::none_of(axes, [&k = key](const Axis& axis) { return axis.key == k; }))
       axes.push_back({key, {value}});
   Case result = make_case(experiment, axes, std::vector<std::size_t>(axes.size()), {}, which.overrides);
   result.set = which.set;
@@ -212,7 +210,7 @@ std::vector<fs::path> experiment_files() {
         result.push_back(entry.path());
     break;
   }
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 
@@ -235,7 +233,7 @@ std::vector<fs::path> experiments_named(const std::string& name_or_file) {
   const std::vector<fs::path> files = experiment_files();
   const auto shipped = [&](const fs::path& file) { return file.stem() == name_or_file; };
   std::vector<fs::path> collection;
-  if (!name_or_file.ends_with(".toml") && std::none_of(files.begin(), files.end(), shipped))
+  if (!name_or_file.ends_with(".toml") && std::ranges::none_of(files, shipped))
     for (const fs::path& file : files)
       if (read_experiment(file).collection == name_or_file) collection.push_back(file);
   return collection.empty() ? std::vector{experiment_file(name_or_file)} : collection;

@@ -253,8 +253,7 @@ Limits limits_for(const Model& model, const Source& source) {
 
 Model model_of(const std::string& name_or_file, const MeshOptions& options) {
   const std::vector<Model> known = models();
-  const auto named =
-      std::find_if(known.begin(), known.end(), [&](const Model& m) { return m.name == name_or_file; });
+  const auto named = std::ranges::find_if(known, [&](const Model& m) { return m.name == name_or_file; });
   Model model;
   if (named != known.end()) {
     model = *named;

@@ -67,8 +67,7 @@ class Colours {
  private:
   std::uint32_t choose(std::uint32_t f) const {
     const auto taken = [&](std::uint32_t c) {
-      return std::any_of(overlap_[f].begin(), overlap_[f].end(),
-                         [&](std::uint32_t g) { return colour_[g] == c; });
+      return std::ranges::any_of(overlap_[f], [&](std::uint32_t g) { return colour_[g] == c; });
     };
     for (const std::uint32_t g : next_[f])
       if (g != no_face && has(g) && !taken(colour_[g])) return colour_[g];
@@ -97,7 +96,7 @@ void mark_overlaps(const Pairs& pairs, const Neighbours& next, const std::vector
       sum.resize(std::max(sum.size(), std::size_t(colours.of(f)) + 1), 0.0);
       sum[colours.of(f)] += area[f];
     }
-    const auto best = std::uint32_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
+    const auto best = std::uint32_t(std::ranges::max_element(sum) - sum.begin());
     for (const std::uint32_t f : group) mark[f] = colours.of(f) != best ? overlaps : stays;
   }
 }
@@ -112,7 +111,7 @@ void add_groups(const Neighbours& next, const std::vector<char>& mark, char whic
     for (std::size_t i = 0; i < group.size(); ++i)
       for (const std::uint32_t g : next[group[i]])
         if (g != no_face && !seen[g] && mark[g] == which) seen[g] = true, group.push_back(g);
-    std::sort(group.begin(), group.end());
+    std::ranges::sort(group);
     all.push_back(std::move(group));
   }
 }
@@ -229,7 +228,7 @@ Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
   if (rules.most_stretch > 0) mark_stretch(surface, next, area, rules.most_stretch, small / 4, mark);
   mark_overlaps(uv_overlaps(surface.uv), next, area, mark);
   Pieces pieces;
-  if (std::any_of(mark.begin(), mark.end(), [](char m) { return m != stays; })) {
+  if (std::ranges::any_of(mark, [](char m) { return m != stays; })) {
     grow(surface, next, rules.growth, mark);
     for (const char reason : {stays, overlaps, shrunk, enlarged}) {
       std::vector<Faces> parts;
@@ -269,7 +268,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> uv_overlaps(const std::vect
     const std::uint32_t a = std::min(x.info(), y.info()), b = std::max(x.info(), y.info());
     if (!edge_separates(uv[a], uv[b]) && !edge_separates(uv[b], uv[a])) pairs.emplace_back(a, b);
   });
-  std::sort(pairs.begin(), pairs.end());
+  std::ranges::sort(pairs);
   return pairs;
 }
 

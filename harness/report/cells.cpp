@@ -148,7 +148,7 @@ const Cell* counterpart(const std::vector<Cell>& cells, const Cell& like, const 
                         const std::string& value) {
   std::map<std::string, std::string> axes = like.axes;
   axes[axis] = value;
-  const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
+  const auto found = std::ranges::find_if(cells, [&](const Cell& c) {
     return timed(c) && c.axes == axes && c.variant == like.variant && c.device == like.device &&
            c.host == like.host;
   });
@@ -167,9 +167,8 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const FoundRow& found = rows[r];
     Cell cell = cell_of(found);
-    auto place = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
-      return names(c) == names(cell) && c.identity == cell.identity;
-    });
+    auto place = std::ranges::find_if(
+        cells, [&](const Cell& c) { return names(c) == names(cell) && c.identity == cell.identity; });
     if (place == cells.end()) place = cells.insert(place, std::move(cell));
     place->rows.push_back(r);
     add(*place, found.row);

@@ -56,8 +56,7 @@ TEST(Experiment, WetTableEqualsTheOtherPapersCells) {
   const auto others = cases_of(curling, preset_of(curling, "quick"));
   for (const Case& c : cases) {
     EXPECT_EQ(scene_of(wet, c).shading.model, "wet");
-    const auto same =
-        std::find_if(others.begin(), others.end(), [&](const Case& o) { return o.name == c.name; });
+    const auto same = std::ranges::find_if(others, [&](const Case& o) { return o.name == c.name; });
     ASSERT_NE(same, others.end());
     EXPECT_EQ(same->published->value, c.published->value) << c.name;
   }
@@ -77,8 +76,7 @@ TEST(Experiment, LaterSettingsWin) {
   const auto cases = cases_of(e, preset_of(e, "paper"));
   EXPECT_EQ(cases.size(), 96u);
   auto scene = [&](const std::string& name) {
-    return scene_of(e,
-                    *std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; }));
+    return scene_of(e, *std::ranges::find_if(cases, [&](const Case& c) { return c.name == name; }));
   };
   EXPECT_FLOAT_EQ(scene("horse-16-800x600").fur.length, 0.035f);
   EXPECT_FLOAT_EQ(scene("torus-64-1680x1050").fur.length, 0.08f);
@@ -205,8 +203,8 @@ TEST(Experiment, FilterAndOrder) {
                                       "torus-64-800x600"}));
   EXPECT_NE(names(shuffled(cases, 5)), names(shuffled(cases, 6)));
   auto sorted = names(shuffled(cases, 5)), all = names(cases);
-  std::sort(sorted.begin(), sorted.end());
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(sorted);
+  std::ranges::sort(all);
   EXPECT_EQ(sorted, all);
 }
 

@@ -58,8 +58,7 @@ TEST(FigureExperiments, HaveARowWithAllTheirCasesInTheDocument) {
   std::map<std::string, std::string> rows = rows_of_document();
   for (const Experiment& e : figures()) {
     ASSERT_TRUE(rows.contains(e.name)) << e.name;
-    const auto axis =
-        std::find_if(e.axes.begin(), e.axes.end(), [](const Axis& a) { return a.key == "figure"; });
+    const auto axis = std::ranges::find_if(e.axes, [](const Axis& a) { return a.key == "figure"; });
     ASSERT_NE(axis, e.axes.end()) << e.name;
     for (const std::string& value : axis->values)
       EXPECT_NE(rows[e.name].find("`" + value + "`"), std::string::npos) << e.name << " " << value;

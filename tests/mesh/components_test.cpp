@@ -99,9 +99,7 @@ TEST(Components, ThatAreOpenAndSmallAreDropped) {
   const auto mesh =
       Shapes().octahedron({0, 0, 0}, 1).triangle({0, 0, 4}, 0.1f).octahedron({3, 0, 0}, 0.01f).mesh();
   EXPECT_EQ(topology(*mesh).components, 2u);  // closed components are kept even if they are small
-  EXPECT_EQ(std::count(mesh->notes.begin(), mesh->notes.end(),
-                       "kept 2 of 3 components; the others are open and small"),
-            1);
+  EXPECT_EQ(std::ranges::count(mesh->notes, "kept 2 of 3 components; the others are open and small"), 1);
 }
 
 TEST(Components, AreTurnedOutwardsEachForItself) {

@@ -86,9 +86,7 @@ TEST(Models, can_be_had_at_another_face_count) {
 // named model keeps only the largest component of its source.
 TEST(Models, keep_the_largest_piece_of_their_source) {
   const auto horse = load_model("horse", fresh(2000));
-  EXPECT_EQ(std::count(horse->notes.begin(), horse->notes.end(),
-                       "kept the largest of 13 components, 7148 of 7172 faces"),
-            1);
+  EXPECT_EQ(std::ranges::count(horse->notes, "kept the largest of 13 components, 7148 of 7172 faces"), 1);
   EXPECT_EQ(topology(*horse).components, 1u);
 }
 

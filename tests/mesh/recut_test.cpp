@@ -122,8 +122,7 @@ TEST(Recut, TheRestOfTheMapKeepsItsUv) {
   Surface surface = sheet(60);
   move(surface, 30 + 61 * 30, {0.03, 0.02});
   const std::vector<Corners> before = surface.uv;
-  ASSERT_GT(
-      std::count_if(before.begin(), before.end(), [](const Corners& c) { return twice_uv_area(c) < 0; }), 0);
+  ASSERT_GT(std::ranges::count_if(before, [](const Corners& c) { return twice_uv_area(c) < 0; }), 0);
   EXPECT_TRUE(recut(surface, false, "sheet"));
   expect_clean(surface);
   std::size_t same = 0;

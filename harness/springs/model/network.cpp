@@ -25,8 +25,7 @@ std::vector<glm::uvec2> unique_edges(const Corners& corners) {
       const std::uint32_t a = t[c], b = t[(c + 1) % 3];
       if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
     }
-  std::sort(edges.begin(), edges.end(),
-            [](glm::uvec2 a, glm::uvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::ranges::sort(edges, [](glm::uvec2 a, glm::uvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
@@ -135,7 +134,7 @@ Degrees degrees(const SpringNetwork& network) {
   std::vector<int> count(network.mass.size(), 0);
   for (const glm::uvec2 spring : network.spring) ++count[spring.x], ++count[spring.y];
   const auto tops = std::span(count).subspan(network.sticks());
-  Degrees found{*std::min_element(tops.begin(), tops.end()), *std::max_element(tops.begin(), tops.end()), 0};
+  Degrees found{*std::ranges::min_element(tops), *std::ranges::max_element(tops), 0};
   for (const int degree : tops) found.mean += double(degree);
   found.mean /= double(tops.size());
   return found;

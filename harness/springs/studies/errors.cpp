@@ -246,8 +246,7 @@ class JacobianStudy : public Study {
   Spread error(bool full) const {
     const SpringNetwork& network = setting_.network;
     Dynamics dynamics = setting_.dynamics;
-    dynamics.solver =
-        *std::find_if(solvers.begin(), solvers.end(), [](const Solver& s) { return s.implicit; });
+    dynamics.solver = *std::ranges::find_if(solvers, [](const Solver& s) { return s.implicit; });
     dynamics.full_jacobian = full;
     const long steps = std::lround(1 / double(dynamics.step));
     return spread(reference_offsets(network, dynamics, rest_motions(network), 0, steps), exact_.offset,

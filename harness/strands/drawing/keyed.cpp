@@ -49,9 +49,8 @@ std::uint32_t turn_bits(float degrees) {
 }  // namespace
 
 bool has_styles(const std::vector<KeyedStrand>& strands) {
-  return std::any_of(strands.begin(), strands.end(), [](const KeyedStrand& s) {
-    return s.response != 1 || s.twist != 0 || s.curvature != 0;
-  });
+  return std::ranges::any_of(
+      strands, [](const KeyedStrand& s) { return s.response != 1 || s.twist != 0 || s.curvature != 0; });
 }
 
 std::vector<float> key_records(const std::vector<KeyStrand>& keys) {

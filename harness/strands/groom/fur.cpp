@@ -180,8 +180,7 @@ void add_layer(const Mesh& mesh, const Skin& skin, const LayerMaps& maps, const 
 /// Reads the film strips. If one layer has a film strip and another has none, the latter gets a frame of
 /// factors 1.
 void add_film(const std::vector<StrandLayerScene>& layers, Fur& fur) {
-  const bool any =
-      std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) { return !l.film.empty(); });
+  const bool any = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return !l.film.empty(); });
   int plain = -1;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const std::string key = fmt::format("strands.layer[{}].film", i + 1);

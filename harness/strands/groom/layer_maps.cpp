@@ -96,8 +96,7 @@ std::vector<bool> LayerMaps::bare(const Mesh& mesh) const {
   const std::vector<Condition> all = conditions();
   std::vector<bool> result(mesh.triangle.size());
   for (std::uint32_t face = 0; face < mesh.triangle.size(); ++face)
-    result[face] =
-        !std::all_of(all.begin(), all.end(), [&](const Condition& c) { return c.possible(mesh, face); });
+    result[face] = !std::ranges::all_of(all, [&](const Condition& c) { return c.possible(mesh, face); });
   return result;
 }
 
@@ -105,7 +104,7 @@ void LayerMaps::require_place(const Mesh& mesh) const {
   const std::vector<Condition> all = conditions();
   if (all.empty()) return;
   const std::vector<bool> without = bare(mesh);
-  const auto open = std::size_t(std::count(without.begin(), without.end(), false));
+  const auto open = std::size_t(std::ranges::count(without, false));
   const std::size_t per_face = 1 + samples / std::max<std::size_t>(open, 1);
   const Random random(layer.seed, sample_stream);
   std::size_t met = 0;  // largest number of conditions, in their order, that a point meets

@@ -44,10 +44,8 @@ std::string options_of(const PictureKinds& kinds) {
 /// What prepare_strands() and grow() will find for this scene, without growing the fur.
 PictureKinds expected_kinds(const Scene& scene) {
   const std::vector<StrandLayerScene>& layers = scene.strands.layers;
-  const bool film =
-      std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) { return !l.film.empty(); });
-  const bool styles =
-      std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) { return l.is_styled(); });
+  const bool film = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return !l.film.empty(); });
+  const bool styles = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return l.is_styled(); });
   return {film || has_lights(look_of(scene)), styles, shadow_named(scene.strands.shadow)};
 }
 

@@ -266,8 +266,7 @@ Vec orthogonal(Vec v, Vec direction) {
 // Returns whether a stop has an impulse above 0.
 bool acts(const State& state) {
   const auto above = [](double s) { return s > 0; };
-  return std::any_of(state.stop.begin(), state.stop.end(), above) ||
-         std::any_of(state.body.begin(), state.body.end(), above);
+  return std::ranges::any_of(state.stop, above) || std::ranges::any_of(state.body, above);
 }
 
 }  // namespace
@@ -362,7 +361,7 @@ State step(const Chain& chain, const ChainDynamics& dynamics, const State& state
   // Item 6
   const double change = potential(m, next.u, next.w) - potential(m, state.u, state.w);
   const double limit = kinetic(m, state.a, state.b) - change;  // E
-  if (limit < 0 && *std::min_element(gap.begin(), gap.end()) >= -1e-6) {
+  if (limit < 0 && *std::ranges::min_element(gap) >= -1e-6) {
     next.u = state.u;
     next.w = state.w;
   }
