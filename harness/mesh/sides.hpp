@@ -16,7 +16,7 @@ struct Side {
   std::uint32_t low, high;  ///< indices of the side's end points, low < high
   std::uint32_t face, corner;
   bool forward;  ///< true: `high` comes directly after `low` in the face's cyclic list of corners
-  auto operator<=>(const Side&) const = default;
+  auto operator<=>(const Side&) const = default;  // NOLINT(modernize-use-nullptr): its hidden literal 0
 };
 
 /// Returns the sides of all triangles, sorted so that sides with the same end points are adjacent.
