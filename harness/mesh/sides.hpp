@@ -1,9 +1,9 @@
 // The sides of triangles, and groups of connected elements.
 #pragma once
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,7 +16,6 @@ struct Side {
   std::uint32_t low, high;  ///< indices of the side's end points, low < high
   std::uint32_t face, corner;
   bool forward;  ///< true: `high` comes directly after `low` in the face's cyclic list of corners
-  auto operator<=>(const Side&) const = default;  // NOLINT(modernize-use-nullptr): its hidden literal 0
 };
 
 /// Returns the sides of all triangles, sorted so that sides with the same end points are adjacent.
@@ -31,7 +30,7 @@ std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
       sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
     }
   }
-  std::sort(sides.begin(), sides.end());
+  std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.face, s.corner); });
   return sides;
 }
 

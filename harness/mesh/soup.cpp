@@ -56,12 +56,12 @@ std::tuple<double, double, double> key(const glm::dvec3& p) {
 std::partial_ordering compare(const Indices& face, const Corners& uv, std::size_t a, const Indices& other,
                               const Corners& other_uv, std::size_t b) {
   const std::size_t n = face.size();
-  if (const auto order = n <=> other.size(); order != 0) return order;
+  if (const auto order = n <=> other.size(); std::is_neq(order)) return order;
   for (std::size_t k = 0; k < n; ++k)
-    if (const auto order = face[(a + k) % n] <=> other[(b + k) % n]; order != 0) return order;
+    if (const auto order = face[(a + k) % n] <=> other[(b + k) % n]; std::is_neq(order)) return order;
   for (std::size_t k = 0; k < n && !uv.empty(); ++k) {
     const glm::dvec2 p = uv[(a + k) % n], q = other_uv[(b + k) % n];
-    if (const auto order = std::tie(p.x, p.y) <=> std::tie(q.x, q.y); order != 0) return order;
+    if (const auto order = std::tie(p.x, p.y) <=> std::tie(q.x, q.y); std::is_neq(order)) return order;
   }
   return std::partial_ordering::equivalent;
 }
@@ -207,14 +207,14 @@ void sort_soup(Soup& soup) {
     for (std::uint32_t& i : face) i = number[i];
     std::size_t start = 0;
     for (std::size_t k = 1; k < face.size(); ++k)
-      if (compare(face, uv_of(f), k, face, uv_of(f), start) < 0) start = k;
+      if (std::is_lt(compare(face, uv_of(f), k, face, uv_of(f), start))) start = k;
     std::rotate(face.begin(), face.begin() + std::ptrdiff_t(start), face.end());
     if (!soup.uv.empty())
       std::rotate(soup.uv[f].begin(), soup.uv[f].begin() + std::ptrdiff_t(start), soup.uv[f].end());
   }
   Indices order = order_of(soup.polygon.size());
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return compare(soup.polygon[a], uv_of(a), 0, soup.polygon[b], uv_of(b), 0) < 0;
+    return std::is_lt(compare(soup.polygon[a], uv_of(a), 0, soup.polygon[b], uv_of(b), 0));
   });
   Soup sorted;
   for (const std::uint32_t f : order) {
