@@ -36,7 +36,7 @@ TEST(Cache, no_mesh_whose_lists_disagree_is_believed) {
   wrong[0].uv.pop_back();
   wrong[1].weld.pop_back();
   wrong[2].weld[0] = mesh->welded;
-  for (int k = 0; k < 3; ++k) wrong[std::size_t(3 + k)].triangle[0][k] = std::uint32_t(mesh->position.size());
+  for (int k = 0; k < 3; ++k) wrong[std::size_t(k) + 3].triangle[0][k] = std::uint32_t(mesh->position.size());
   for (const Mesh& one : wrong) EXPECT_FALSE(decode(encode(one)));
 }
 

@@ -78,7 +78,7 @@ TEST(Rotate, KeepsTheSurfaceAndTheMap) {
       for (int k = 0; k < 3; ++k) {
         const glm::dvec3 p = matrix * glm::dvec3(mesh.position[t[k]]);
         const double corner[] = {mesh.uv[t[k]].x, mesh.uv[t[k]].y, p.x, p.y, p.z};
-        std::copy_n(corner, 5, triangle.begin() + 5 * k);
+        std::copy_n(corner, 5, triangle.begin() + std::ptrdiff_t(5) * k);
       }
     }
     std::sort(all.begin(), all.end());
