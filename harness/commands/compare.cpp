@@ -135,7 +135,7 @@ int compare(const CompareOptions& options) {
         "give two sets of results (A and B), or one set with --by device, --by variant or --by axes.KEY");
   const std::vector<Cell> a = timed_cells(options.a, options.phase);
   const std::vector<Cell> b = one_set ? std::vector<Cell>() : timed_cells(options.b, options.phase);
-  const std::vector<Pair> pairs = compare_cells(a, one_set ? a : b, one_set, by, limits);
+  const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, limits);
   print_pairs(pairs, options);
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
@@ -146,8 +146,7 @@ int compare(const CompareOptions& options) {
       count(Verdict::faster), count(Verdict::slower), count(Verdict::same), count(Verdict::undecided),
       count(Verdict::lost), options.threshold, options.alpha);
   print_notes(pairs);
-  const bool regressed = count(Verdict::slower) + count(Verdict::lost) > 0;
-  return options.fail_on_regression && regressed ? 5 : 0;
+  return options.fail_on_regression && count(Verdict::slower) + count(Verdict::lost) > 0 ? 5 : 0;
 }
 
 }  // namespace

@@ -145,8 +145,9 @@ CompareBy::CompareBy(const std::string& by) : text(by) {
     throw InputError(fmt::format("--by '{}' is not device, variant or axes.KEY", by));
 }
 
-std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
+std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& second_set, bool one_set,
                                 const CompareBy& by, const CompareLimits& limits) {
+  const std::vector<Cell>& b = one_set ? a : second_set;  // a copy of a cell would count as another cell
   refuse_ambiguous(a, by);
   refuse_ambiguous(b, by);
   std::vector<Match> matches = equal_names(a, b, one_set, by);

@@ -45,13 +45,13 @@ struct CompareLimits {
   double alpha = 0.05;      ///< largest probability that one or more verdicts are wrong
 };
 
-/// Pairs every cell of `a` with each cell of `b` that has the same properties, except for the property that
-/// `by` names. If `by` is "device", the function then pairs the remaining cells: two cells of the same case
-/// on different devices. Their variants may differ: the default mapping depends on the device, and the name
-/// of the mapping is a part of the variant. If `one_set` is true, `a` and `b` are the same set, and each pair
-/// occurs once: the cell with the smaller value of `by` (natural_less()) is first. Throws InputError if there
-/// is no pair, or if a set contains two cells that differ only in their identity.
-std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
+/// Pairs every cell of `a` with each cell of `second_set` that has the same properties, except for the
+/// property that `by` names. If `by` is "device", the function then pairs the remaining cells: two cells of a
+/// case on different devices. Their variants name the mapping, whose default depends on the device. If
+/// `one_set` is true, the cells of `a` are paired with each other; the cell with the smaller value of `by`
+/// (natural_less()) is first. Throws InputError if there is no pair, or if a set contains two cells that
+/// differ only in their identity.
+std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& second_set, bool one_set,
                                 const CompareBy& by, const CompareLimits& limits);
 
 std::string_view to_text(Verdict verdict);
