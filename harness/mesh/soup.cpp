@@ -19,7 +19,6 @@
 
 #include "harness/error.hpp"
 #include "harness/mesh/steps.hpp"
-#include "harness/mesh/uv_pieces.hpp"
 
 namespace pelage {
 namespace {

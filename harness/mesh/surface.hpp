@@ -24,4 +24,10 @@ struct Surface {
   std::vector<std::string> notes;  ///< see Mesh::notes
 };
 
+/// Returns twice the signed area of a triangle in UV. It is negative if the triangle is flipped (clockwise).
+inline double twice_uv_area(const Surface::Corners& uv) {
+  const glm::dvec2 d = uv[1] - uv[0], e = uv[2] - uv[0];
+  return d.x * e.y - d.y * e.x;
+}
+
 }  // namespace pelage

@@ -248,11 +248,6 @@ double surface_area(const Surface& surface, std::uint32_t f) {
          glm::length(glm::cross(surface.point[b] - surface.point[a], surface.point[c] - surface.point[a]));
 }
 
-double twice_uv_area(const Surface::Corners& uv) {
-  const glm::dvec2 d = uv[1] - uv[0], e = uv[2] - uv[0];
-  return d.x * e.y - d.y * e.x;
-}
-
 std::vector<std::pair<std::uint32_t, std::uint32_t>> uv_overlaps(const std::vector<Surface::Corners>& uv) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::uint32_t>;
   std::vector<Box> boxes;

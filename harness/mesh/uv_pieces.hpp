@@ -50,9 +50,6 @@ Pieces choose_pieces(const Surface& surface, const PieceRules& rules);
 /// Returns the area of a triangle on the surface.
 double surface_area(const Surface& surface, std::uint32_t f);
 
-/// Returns twice the signed area of a triangle in UV. It is negative if the triangle is flipped (clockwise).
-double twice_uv_area(const Surface::Corners& uv);
-
 /// Returns the pairs (a, b), a < b, of triangles that overlap in UV, in ascending order. `uv` contains the
 /// corners of each triangle. Two triangles overlap if no translation by less than 1e-9 separates them, so
 /// triangles that only touch at an edge or a corner do not overlap.
