@@ -129,10 +129,10 @@ std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells)
   return counts;
 }
 
-/// If there are more than five texts, replaces the others by one text: "3 others".
+/// If there are more than six texts, replaces those after the fifth by one text: "3 others".
 void shorten(std::vector<std::string>& texts, std::string_view others) {
   constexpr std::size_t most = 5;
-  if (texts.size() <= most) return;
+  if (texts.size() <= most + 1) return;
   std::string rest = fmt::format("{} {}", texts.size() - most, others);
   texts.resize(most);
   texts.push_back(std::move(rest));
@@ -292,6 +292,10 @@ void sort_cells(std::vector<Cell>& cells) {
 
 std::string marks_of(const Cell& cell) {
   return std::string(cell.converged ? "" : "*") + (cell.contended ? "!" : "");
+}
+
+std::string interval_text(const Metric& ratio) {
+  return ratio.low && ratio.high ? fmt::format(" [{:.2f}, {:.2f}]", *ratio.low, *ratio.high) : "";
 }
 
 std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {

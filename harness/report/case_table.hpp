@@ -70,6 +70,9 @@ std::string name_of(const Cell& cell, const std::string& but = "");
 /// disturbed the timing, "*!" for both.
 std::string marks_of(const Cell& cell);
 
+/// Returns " [low, high]" of a ratio; "" if it has no interval, because it is that of a single round.
+std::string interval_text(const Metric& ratio);
+
 /// Returns one sentence for each mark (marks_of()) that occurs in these cells.
 std::vector<std::string> mark_remarks(const std::vector<Cell>& cells);
 

@@ -11,9 +11,8 @@
 namespace pelage {
 namespace {
 
-std::optional<double> ratio_of_pipelines(const Cell& c) {
-  const Metric* ratio = c.metric("opengl_ratio");
-  return c.status == Status::ok && ratio ? std::optional(ratio->value) : std::nullopt;
+const Metric* ratio_of_pipelines(const Cell& c) {
+  return c.status == Status::ok ? c.metric("opengl_ratio") : nullptr;
 }
 
 /// Returns the geometric mean of the ratios of each separate run; nothing if the cells have different numbers
@@ -51,8 +50,8 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
     std::vector<double> ratios;
     std::vector<const Cell*> known;
     for (const Cell* c : members)
-      if (const auto ratio = ratio_of_pipelines(*c)) {
-        ratios.push_back(*ratio);
+      if (const Metric* ratio = ratio_of_pipelines(*c)) {
+        ratios.push_back(ratio->value);
         known.push_back(c);
       }
     const auto least = std::ranges::min_element(ratios);
@@ -95,12 +94,10 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
   for (CellColumn& c : columns)
     if (c.column.name == "opengl_ratio")
       c = {{"opengl_ratio", "ratio"}, [](const Cell& cell) {
-             const auto ratio = ratio_of_pipelines(cell);
+             const Metric* ratio = ratio_of_pipelines(cell);
              if (!ratio) return Value{"", std::string(to_text(cell.status)), cell.reason, "", true};
-             const Metric& m = cell.metrics.at("opengl_ratio");
-             return Value{fmt::format("{:.6g}", *ratio),
-                          fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, marks_of(cell), m.low.value_or(0),
-                                      m.high.value_or(0))};
+             return Value{fmt::format("{:.6g}", ratio->value),
+                          fmt::format("{:.2f}{}{}", ratio->value, marks_of(cell), interval_text(*ratio))};
            }};
   const auto renderer = std::ranges::find_if(cells, [](const Cell& c) { return !c.renderer.empty(); });
   Section section = section_of(

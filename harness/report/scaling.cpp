@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "harness/base/numbers.hpp"
+#include "harness/report/case_table.hpp"
 #include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 
@@ -123,9 +124,7 @@ std::string in_turns_text(const std::vector<Cell>& cells) {
   if (cells.empty()) return {};
   std::string text =
       "Frame time divided by the frame times with half and with a quarter of the layers: median over the rounds [95% interval]\n";
-  const auto shown = [](const Metric& m) {
-    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", m.value, m.low.value_or(m.value), m.high.value_or(m.value));
-  };
+  const auto shown = [](const Metric& m) { return fmt::format("{:.2f}{}", m.value, interval_text(m)); };
   std::vector<double> half, quarter;
   for (const Cell& c : cells) {
     const Metric &by_half = c.metrics.at("frame_over_half"), &by_quarter = c.metrics.at("frame_over_quarter");

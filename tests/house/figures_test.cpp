@@ -27,12 +27,10 @@ TEST(Figures, PlantedMistakesAreFound) {
   const pelage::test::Folder folder;
   const fs::path& copy = folder.path;
   const auto everything = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
-  for (const char* part : {"scripts", "results/tables", "results/rival-options"}) {
+  for (const char* part : {"scripts", "experiments", "results/tables", "results/rival-options"}) {
     fs::create_directories((copy / part).parent_path());
     fs::copy(source / part, copy / part, everything);
   }
-  fs::create_directories(copy / "experiments");
-  fs::copy(source / "experiments/readings.toml", copy / "experiments");
   const auto documents = [&] {
     for (const char* file : {"README.md", "results/README.md"})
       fs::copy_file(source / file, copy / file, everything);

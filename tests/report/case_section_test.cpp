@@ -86,8 +86,8 @@ TEST(CaseSection, NamesCasesWithEqualPictures) {
   std::vector<CasePicture> pictures;
   for (const char* name : {"a", "b", "c", "d", "e", "f", "g"}) pictures.push_back({name, "", "1"});
   test::expect_has(equal_pictures(pictures), ": (a), (b), (c), (d), (e) and 2 others. ");
-  pictures.resize(5);
-  test::expect_has(equal_pictures(pictures), ": (a), (b), (c), (d) and (e). ");
+  pictures.resize(6);
+  test::expect_has(equal_pictures(pictures), ": (a), (b), (c), (d), (e) and (f). ");
 }
 
 /// Returns a plot of two numbers in the column `name`. The view asks for logarithmic axes, or those of
