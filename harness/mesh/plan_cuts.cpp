@@ -1,9 +1,9 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "harness/error.hpp"
 #include "harness/mesh/finish.hpp"
@@ -19,7 +19,7 @@ namespace {
 // overlaps, and f is the fraction that flipped faces take. An overlap of 1% therefore increases the cost as
 // much as a 22% greater r.
 double cost(const Surface& unfolded, const std::string& name) {
-  const UvQuality quality = uv_quality(finish(unfolded, name, glm::dvec3(0)), 512);
+  const UvQuality quality = uv_quality(finish(unfolded, name, {}), 512);
   if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
   return std::log(quality.area_high / quality.area_low) + 20 * (quality.overlapping + quality.flipped);
 }
@@ -49,11 +49,10 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
     const double there = cost(surface, longer, name, unfold);
     // All unusable maps have the same cost. Until a plan gives a usable map, each new tip is therefore kept
     // in the plan.
-    if (there < best.cost || best.cost == std::numeric_limits<double>::max()) {
+    if (there < best.cost || best.cost == std::numeric_limits<double>::max())
       best = {longer, there};
-    } else {
+    else
       refused.push_back(tip.point);
-    }
   }
   return best;
 }
@@ -84,31 +83,33 @@ std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, 
 }
 
 Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans, const std::string& name) {
-  Surface best;
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, Surface>> maps;  // with their costs
+  std::exception_ptr failure;
   for (const TriedPlan& tried : plans) {
     try {
       Surface unfolded = unfold_model(surface, tried.plan, name);
-      const double there = plans.size() == 1 ? 0 : cost(unfolded, name);
-      if (there < least) least = there, best = std::move(unfolded);
+      const double there = cost(unfolded, name);
+      maps.emplace_back(there, std::move(unfolded));
     } catch (const InputError&) {
-      if (&tried == &plans.back() && best.uv.empty()) throw;
+      failure = std::current_exception();
     }
   }
-  return best;
+  if (maps.empty()) std::rethrow_exception(failure);
+  return std::move(std::ranges::min_element(maps, {}, [](const auto& map) { return map.first; })->second);
 }
 
 Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
                      const Unfold& unfold) {
   std::ranges::stable_sort(plans, {}, &TriedPlan::cost);
+  std::exception_ptr failure;
   for (const TriedPlan& tried : plans) {
     try {
       return unfold(surface, tried.plan, name);
     } catch (const InputError&) {
-      if (&tried == &plans.back()) throw;
+      failure = std::current_exception();
     }
   }
-  throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
+  std::rethrow_exception(failure);
 }
 
 }  // namespace pelage

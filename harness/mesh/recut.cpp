@@ -21,15 +21,14 @@ constexpr double most_stretch = 1.6;          // of areas, with `even`
 constexpr double least_scale = 0.5;           // a map that would become smaller than this stays as it is
 
 double surface_area(const Surface& surface, const Faces& faces) {
-  double sum = 0;
-  for (const std::uint32_t f : faces) sum += surface_area(surface, f);
-  return sum;
+  return std::accumulate(faces.begin(), faces.end(), 0.0,
+                         [&](double sum, std::uint32_t f) { return sum + surface_area(surface, f); });
 }
 
 double uv_area(const Shape& shape) {
-  double sum = 0;
-  for (const auto& corners : shape) sum += 0.5 * std::abs(twice_uv_area(corners));
-  return sum;
+  return std::accumulate(shape.begin(), shape.end(), 0.0, [](double sum, const Surface::Corners& corners) {
+    return sum + 0.5 * std::abs(twice_uv_area(corners));
+  });
 }
 
 bool is_clean(const Shape& shape) {
@@ -143,12 +142,7 @@ class Flattener {
  public:
   /// `per_uv` is the length on the surface per unit of UV, in the whole map.
   Flattener(const Surface& surface, const PieceRules& rules, double per_uv, const std::string& name)
-      : surface_(surface),
-        rules_{rules.growth, 0},
-        per_uv_(per_uv),
-        name_(name),
-        on_surface_(neighbours_of(surface, false)),
-        in_uv_(neighbours_of(surface, true)) {}
+      : surface_(surface), rules_{rules.growth, 0}, per_uv_(per_uv), name_(name) {}
 
   /// Appends the charts of a piece. With `anew`, the piece is flattened even if its present UV has no
   /// overlaps.
@@ -214,7 +208,7 @@ class Flattener {
   PieceRules rules_;
   double per_uv_;
   const std::string& name_;
-  Neighbours on_surface_, in_uv_;
+  Neighbours on_surface_ = neighbours_of(surface_, false), in_uv_ = neighbours_of(surface_, true);
 };
 
 /// Makes the map smaller. The lower left corner of the space inside the margin stays in its place.
@@ -266,9 +260,8 @@ bool recut(Surface& surface, bool even, const std::string& name) {
   Faces all(surface.triangle.size());
   std::iota(all.begin(), all.end(), 0u);
   const double per_uv = std::sqrt(surface_area(surface, all) / uv_area(surface.uv));
-  PieceRules rules;
-  rules.growth = 3.0 / 256 * per_uv;  // three texels of a wetness mask of 256 x 256 texels
-  rules.most_stretch = even ? most_stretch : 0.0;
+  // The growth is three texels of a wetness mask of 256 x 256 texels.
+  const PieceRules rules{3.0 / 256 * per_uv, even ? most_stretch : 0.0};
   const Pieces pieces = choose_pieces(surface, rules);
   if (pieces.piece.empty()) return false;
   const Flattener flattener(surface, rules, per_uv, name);

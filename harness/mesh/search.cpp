@@ -48,7 +48,7 @@ struct SurfaceSearch::State {
   }
 };
 
-SurfaceSearch::SurfaceSearch(std::shared_ptr<const Mesh> mesh) : state_(std::make_unique<State>()) {
+SurfaceSearch::SurfaceSearch(std::shared_ptr<const Mesh> mesh) : state_(std::make_shared<State>()) {
   state_->mesh = std::move(mesh);
   for (const glm::uvec3& t : state_->mesh->triangle) {
     const auto& position = state_->mesh->position;
@@ -59,10 +59,6 @@ SurfaceSearch::SurfaceSearch(std::shared_ptr<const Mesh> mesh) : state_(std::mak
   // first query at the same time, both would build this tree.
   state_->tree.accelerate_distance_queries();
 }
-
-SurfaceSearch::~SurfaceSearch() = default;
-SurfaceSearch::SurfaceSearch(SurfaceSearch&&) noexcept = default;
-SurfaceSearch& SurfaceSearch::operator=(SurfaceSearch&&) noexcept = default;
 
 SurfacePlace SurfaceSearch::closest(glm::vec3 to) const {
   const auto [q, triangle] = state_->tree.closest_point_and_primitive(point(to));

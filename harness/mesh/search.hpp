@@ -18,15 +18,11 @@ struct SurfacePlace {
   glm::vec2 uv{0};
 };
 
-/// A search tree of a mesh. It is built once, by the constructor. Several threads may search at the same
-/// time.
+/// A search tree of a mesh. It is built once, by the constructor; copies share it. Several threads may search
+/// at the same time.
 class SurfaceSearch {
  public:
   explicit SurfaceSearch(std::shared_ptr<const Mesh> mesh);
-  ~SurfaceSearch();
-  SurfaceSearch(SurfaceSearch&&) noexcept;
-  SurfaceSearch& operator=(SurfaceSearch&&) noexcept;
-
   SurfacePlace closest(glm::vec3 point) const;
   /// Returns the first intersection of the surface with the ray from `origin` along `direction` (not zero);
   /// empty if there is no intersection.
@@ -34,7 +30,7 @@ class SurfaceSearch {
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  std::shared_ptr<State> state_;
 };
 
 }  // namespace pelage

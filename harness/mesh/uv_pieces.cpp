@@ -7,7 +7,9 @@
 #include <deque>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <queue>
 
 #include "harness/mesh/sides.hpp"
@@ -25,115 +27,79 @@ glm::dvec3 centroid(const Surface& surface, std::uint32_t f) {
   return (surface.point[a] + surface.point[b] + surface.point[c]) / 3.0;
 }
 
-/// Lists, for each triangle, the triangles that overlap it. Pairs with a triangle of `without` are left out.
-std::vector<std::vector<std::uint32_t>> lists_of(const Pairs& pairs, const std::vector<char>& without) {
-  std::vector<std::vector<std::uint32_t>> list(without.size());
+/// Marks triangles, so that the unmarked ones do not overlap. Triangles that overlap get different colours.
+/// Neighbours get the same colour where this is possible, so that each sheet of the map has one colour. Of
+/// triangles that are connected by overlaps, and by neighbours that overlap others, those of the colour with
+/// the largest area stay unmarked.
+void mark_overlaps(const Pairs& pairs, const Neighbours& next, const std::vector<double>& area,
+                   std::vector<char>& mark) {
+  std::vector<Faces> list(mark.size());  // for each unmarked triangle, the unmarked ones that overlap it
   for (const auto& [a, b] : pairs)
-    if (!without[a] && !without[b]) list[a].push_back(b), list[b].push_back(a);
-  return list;
-}
-
-/// Gives colours to triangles that overlap, such that two overlapping ones have different colours. Neighbours
-/// get the same colour where this is possible, so that each sheet of the map has one colour.
-class Colours {
- public:
-  Colours(const Neighbours& next, const std::vector<std::vector<std::uint32_t>>& overlap)
-      : next_(next), overlap_(overlap), colour_(overlap.size(), no_index), queued_(overlap.size(), false) {}
-
-  bool has(std::uint32_t f) const { return colour_[f] != no_index; }
-  std::uint32_t of(std::uint32_t f) const { return colour_[f]; }
-
-  /// Colours all triangles that are connected with `seed` by overlaps and by neighbours that overlap others.
-  /// Returns them.
-  std::vector<std::uint32_t> spread(std::uint32_t seed) {
+    if (!mark[a] && !mark[b]) list[a].push_back(b), list[b].push_back(a);
+  std::vector<std::uint32_t> colour(mark.size(), no_index);
+  const auto has = [&](std::uint32_t f) { return colour[f] != no_index; };
+  const auto choose = [&](std::uint32_t f) {
+    const auto taken = [&](std::uint32_t c) {
+      return std::ranges::any_of(list[f], [&](std::uint32_t g) { return colour[g] == c; });
+    };
+    for (const std::uint32_t g : next[f])
+      if (g != no_face && has(g) && !taken(colour[g])) return colour[g];
+    std::uint32_t own = 0;
+    while (taken(own)) ++own;
+    return own;
+  };
+  for (const auto& [seed, other] : pairs) {  // ascending, so each group begins with its first triangle
+    if (list[seed].empty() || has(seed)) continue;
     std::vector<std::uint32_t> group;
+    std::map<std::uint32_t, double> sum;  // area of each colour
     std::deque<std::uint32_t> near{seed}, far;
-    queued_[seed] = true;
     while (!near.empty() || !far.empty()) {
       std::deque<std::uint32_t>& queue = near.empty() ? far : near;
       const std::uint32_t f = queue.front();
       queue.pop_front();
       if (has(f)) continue;
-      colour_[f] = choose(f);
+      colour[f] = choose(f);
+      sum[colour[f]] += area[f];
       group.push_back(f);
-      for (const std::uint32_t g : next_[f])
-        if (g != no_face && !overlap_[g].empty() && !has(g)) near.push_back(g);
-      for (const std::uint32_t g : overlap_[f])
-        if (!queued_[g]) queued_[g] = true, far.push_back(g);
+      for (const std::uint32_t g : next[f])
+        if (g != no_face && !list[g].empty() && !has(g)) near.push_back(g);
+      for (const std::uint32_t g : list[f])
+        if (!has(g)) far.push_back(g);
     }
-    return group;
-  }
-
- private:
-  std::uint32_t choose(std::uint32_t f) const {
-    const auto taken = [&](std::uint32_t c) {
-      return std::ranges::any_of(overlap_[f], [&](std::uint32_t g) { return colour_[g] == c; });
-    };
-    for (const std::uint32_t g : next_[f])
-      if (g != no_face && has(g) && !taken(colour_[g])) return colour_[g];
-    std::uint32_t own = 0;
-    while (taken(own)) ++own;
-    return own;
-  }
-
-  const Neighbours& next_;
-  const std::vector<std::vector<std::uint32_t>>& overlap_;
-  std::vector<std::uint32_t> colour_;
-  std::vector<char> queued_;
-};
-
-/// Marks triangles, so that the unmarked ones do not overlap. Of connected triangles that overlap, those of
-/// the colour with the largest area stay unmarked.
-void mark_overlaps(const Pairs& pairs, const Neighbours& next, const std::vector<double>& area,
-                   std::vector<char>& mark) {
-  const auto list = lists_of(pairs, mark);
-  Colours colours(next, list);
-  for (std::uint32_t seed = 0; seed < mark.size(); ++seed) {
-    if (list[seed].empty() || colours.has(seed)) continue;
-    const std::vector<std::uint32_t> group = colours.spread(seed);
-    std::vector<double> sum;
-    for (const std::uint32_t f : group) {
-      sum.resize(std::max(sum.size(), std::size_t(colours.of(f)) + 1), 0.0);
-      sum[colours.of(f)] += area[f];
-    }
-    const auto best = std::uint32_t(std::ranges::max_element(sum) - sum.begin());
-    for (const std::uint32_t f : group) mark[f] = colours.of(f) != best ? overlaps : stays;
+    const auto best = std::ranges::max_element(sum, {}, [](const auto& entry) { return entry.second; });
+    for (const std::uint32_t f : group) mark[f] = colour[f] != best->first ? overlaps : stays;
   }
 }
 
 /// Appends the connected groups of the triangles with mark[f] == which.
 void add_groups(const Neighbours& next, const std::vector<char>& mark, char which, std::vector<Faces>& all) {
-  std::vector<char> seen(mark.size(), false);
-  for (std::uint32_t seed = 0; seed < mark.size(); ++seed) {
-    if (mark[seed] != which || seen[seed]) continue;
-    std::vector<std::uint32_t> group{seed};
-    seen[seed] = true;
-    for (std::size_t i = 0; i < group.size(); ++i)
-      for (const std::uint32_t g : next[group[i]])
-        if (g != no_face && !seen[g] && mark[g] == which) seen[g] = true, group.push_back(g);
-    std::ranges::sort(group);
-    all.push_back(std::move(group));
-  }
+  Groups groups(mark.size());
+  for (std::uint32_t f = 0; f < mark.size(); ++f)
+    for (const std::uint32_t g : next[f])
+      if (g != no_face && mark[g] == mark[f]) groups.join(f, g);
+  std::map<std::uint32_t, Faces> parts;  // in the order of their first triangles
+  for (std::uint32_t f = 0; f < mark.size(); ++f)
+    if (mark[f] == which) parts[groups.find(f)].push_back(f);
+  for (auto& [first, part] : parts) all.push_back(std::move(part));
 }
 
 double sum_of(const std::vector<double>& area, const Faces& faces) {
-  double sum = 0;
-  for (const std::uint32_t f : faces) sum += area[f];
-  return sum;
+  return std::accumulate(faces.begin(), faces.end(), 0.0,
+                         [&](double sum, std::uint32_t f) { return sum + area[f]; });
 }
 
 /// Marks the triangles that the map stretches. Connected parts of less than the area `least` stay unmarked.
 void mark_stretch(const Surface& surface, const Neighbours& next, const std::vector<double>& area,
                   double most, double least, std::vector<char>& mark) {
-  std::vector<char> stretch(mark.size(), stays);
-  double total = 0, uv_total = 0;  // uv_total: twice the area of the map
-  for (std::size_t f = 0; f < area.size(); ++f)
-    total += area[f], uv_total += std::abs(twice_uv_area(surface.uv[f]));
-  for (std::size_t f = 0; f < area.size(); ++f) {
-    const double ratio = std::abs(twice_uv_area(surface.uv[f])) * total / (area[f] * uv_total);
-    if (ratio > most) stretch[f] = enlarged;
-    if (ratio * most < 1) stretch[f] = shrunk;
-  }
+  std::vector<char> stretch(mark.size());
+  const double total = std::accumulate(area.begin(), area.end(), 0.0);
+  double uv_total = 0;  // twice the area of the map
+  for (const Surface::Corners& corners : surface.uv) uv_total += std::abs(twice_uv_area(corners));
+  std::ranges::transform(surface.uv, area, stretch.begin(),
+                         [&](const Surface::Corners& corners, double own) -> char {
+                           const double ratio = std::abs(twice_uv_area(corners)) * total / (own * uv_total);
+                           return ratio * most < 1 ? shrunk : ratio > most ? enlarged : stays;
+                         });
   for (const char reason : {shrunk, enlarged}) {
     std::vector<Faces> parts;
     add_groups(next, stretch, reason, parts);
@@ -154,7 +120,6 @@ void grow(const Surface& surface, const Neighbours& next, double growth, std::ve
   while (!queue.empty()) {
     const auto [d, f] = queue.top();
     queue.pop();
-    if (d > distance[f]) continue;
     for (const std::uint32_t g : next[f]) {
       if (g == no_face) continue;
       const double there = d + glm::distance(centroid(surface, f), centroid(surface, g));
@@ -227,18 +192,17 @@ Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
   const double small = 4 * std::numbers::pi * rules.growth * rules.growth;
   if (rules.most_stretch > 0) mark_stretch(surface, next, area, rules.most_stretch, small / 4, mark);
   mark_overlaps(uv_overlaps(surface.uv), next, area, mark);
-  Pieces pieces;
-  if (std::ranges::any_of(mark, [](char m) { return m != stays; })) {
-    grow(surface, next, rules.growth, mark);
-    for (const char reason : {stays, overlaps, shrunk, enlarged}) {
-      std::vector<Faces> parts;
-      add_groups(next, mark, reason, parts);
-      for (const Faces& part : parts)
-        if (sum_of(area, part) < small) join(next, part, mark);
-    }
-    add_groups(next, mark, stays, pieces.rest);
-    for (const char reason : {overlaps, shrunk, enlarged}) add_groups(next, mark, reason, pieces.piece);
+  if (std::ranges::all_of(mark, [](char m) { return m == stays; })) return {};
+  grow(surface, next, rules.growth, mark);
+  for (const char reason : {stays, overlaps, shrunk, enlarged}) {
+    std::vector<Faces> parts;
+    add_groups(next, mark, reason, parts);
+    for (const Faces& part : parts)
+      if (sum_of(area, part) < small) join(next, part, mark);
   }
+  Pieces pieces;
+  add_groups(next, mark, stays, pieces.rest);
+  for (const char reason : {overlaps, shrunk, enlarged}) add_groups(next, mark, reason, pieces.piece);
   return pieces;
 }
 
@@ -253,9 +217,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> uv_overlaps(const std::vect
   std::vector<Box> boxes;
   boxes.reserve(uv.size());
   for (std::uint32_t f = 0; f < uv.size(); ++f) {
-    const auto [left, right] = std::minmax({uv[f][0].x, uv[f][1].x, uv[f][2].x});
-    const auto [low, high] = std::minmax({uv[f][0].y, uv[f][1].y, uv[f][2].y});
-    double from[] = {left, low}, to[] = {right, high};
+    const auto [left, right] = std::ranges::minmax(uv[f], {}, &glm::dvec2::x);
+    const auto [low, high] = std::ranges::minmax(uv[f], {}, &glm::dvec2::y);
+    double from[] = {left.x, low.y}, to[] = {right.x, high.y};
     boxes.emplace_back(from, to, f);
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
@@ -267,46 +231,37 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> uv_overlaps(const std::vect
   return pairs;
 }
 
-FreeSpace::FreeSpace() : taken_(std::size_t(side) * side, 0), sum_(corners * corners, 0) {}
+FreeSpace::FreeSpace() : taken_(std::size_t(side) * side) {}
 
 void FreeSpace::take(const Surface::Corners& uv) {
-  const auto [left, right] = std::minmax({uv[0].x, uv[1].x, uv[2].x});
-  const auto [low, high] = std::minmax({uv[0].y, uv[1].y, uv[2].y});
-  for (int y = cell_of(low); y <= cell_of(high); ++y)
-    for (int x = cell_of(left); x <= cell_of(right); ++x) taken_[std::size_t(y) * side + std::size_t(x)] = 1;
-  summed_ = false;
-}
-
-void FreeSpace::sum_up() {
-  for (std::size_t y = 0; y < side; ++y) {
-    int row = 0;
-    for (std::size_t x = 0; x < side; ++x) {
-      row += taken_[y * side + x];
-      sum_[(y + 1) * corners + x + 1] = sum_[y * corners + x + 1] + row;
-    }
-  }
-  summed_ = true;
-}
-
-bool FreeSpace::is_free(int x, int y, int width, int height) const {
-  const auto at = [&](int i, int j) {
-    return sum_[std::size_t(std::clamp(j, 0, side)) * corners + std::size_t(std::clamp(i, 0, side))];
-  };
-  return at(x + width, y + height) - at(x, y + height) - at(x + width, y) + at(x, y) == 0;
+  const auto [left, right] = std::ranges::minmax(uv, {}, &glm::dvec2::x);
+  const auto [low, high] = std::ranges::minmax(uv, {}, &glm::dvec2::y);
+  for (int y = cell_of(low.y); y <= cell_of(high.y); ++y)
+    for (int x = cell_of(left.x); x <= cell_of(right.x); ++x)
+      taken_[std::size_t(y) * side + std::size_t(x)] = 1;
 }
 
 std::optional<glm::dvec2> FreeSpace::place(glm::dvec2 size) {
-  if (!summed_) sum_up();
+  // The number of taken cells below and to the left of each corner of a cell.
+  std::vector<int> sum(corners * corners);
+  for (std::size_t y = 0; y < side; ++y)
+    for (std::size_t x = 0; x < side; ++x)
+      sum[(y + 1) * corners + x + 1] =
+          taken_[y * side + x] + sum[y * corners + x + 1] + sum[(y + 1) * corners + x] - sum[y * corners + x];
+  const auto below = [&](int x, int y) {
+    return sum[std::size_t(std::clamp(y, 0, side)) * corners + std::size_t(std::clamp(x, 0, side))];
+  };
+  const auto is_free = [&](int left, int low, int right, int high) {
+    return below(right, high) - below(left, high) - below(right, low) + below(left, low) == 0;
+  };
   const int width = int(std::ceil(size.x * side)), height = int(std::ceil(size.y * side));
-  for (int y = margin; y + height <= side - margin; y += texel) {
-    for (int x = margin; x + width <= side - margin; x += texel) {
-      if (!is_free(x - gap, y - gap, width + 2 * gap, height + 2 * gap)) continue;
-      for (int j = y; j < y + height; ++j)
-        std::fill_n(taken_.begin() + std::ptrdiff_t(j) * side + x, width, char(1));
-      summed_ = false;
-      return glm::dvec2(x, y) / double(side);
-    }
-  }
+  for (int y = margin; y + height <= side - margin; y += texel)
+    for (int x = margin; x + width <= side - margin; x += texel)
+      if (is_free(x - gap, y - gap, x + width + gap, y + height + gap)) {
+        for (int j = y; j < y + height; ++j)
+          std::fill_n(taken_.begin() + std::ptrdiff_t(j) * side + x, width, char(1));
+        return glm::dvec2(x, y) / double(side);
+      }
   return {};
 }
 

@@ -67,12 +67,7 @@ class FreeSpace {
   std::optional<glm::dvec2> place(glm::dvec2 size);
 
  private:
-  void sum_up();
-  bool is_free(int x, int y, int width, int height) const;
-
   std::vector<char> taken_;
-  std::vector<int> sum_;  ///< number of taken cells below and to the left of each corner of a cell
-  bool summed_ = false;
 };
 
 // Cuts the parts of a UV map that overlap out of their charts and gives them charts of their own.
