@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
+#include "harness/error.hpp"
 #include "harness/isolated/isolated.hpp"
 #include "harness/mesh/laplace.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/steps.hpp"
 #include "harness/mesh/unfold.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
@@ -106,6 +109,33 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.size(), 10u);
   EXPECT_LE(told.back(), 1.0);
+}
+
+TEST(PlanCuts, KeepsTwentyTipsIfNoMapCanBeMade) {
+  std::vector<double> told;
+  const Unfold unfold = [](const Surface&, const CutPlan&, const std::string& name) -> Surface {
+    throw InputError(name);
+  };
+  const auto plans = plan_cuts(make_pear(4), "pear", unfold, [&](double part) { told.push_back(part); });
+  ASSERT_EQ(plans.size(), 1u);
+  EXPECT_EQ(plans[0].plan.tips.size(), 20u);
+  ASSERT_EQ(told.size(), 20u);
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_DOUBLE_EQ(told[i], double(i + 1) / 21);
+}
+
+// Every plan gives the same map: four triangles that make the unit square, and a flipped copy of one of them.
+// The copy overlaps 1/4 of the square, and has 1/5 of the sum of the areas.
+TEST(PlanCuts, CostsOfAMapAreItsOverlapsAndFlips) {
+  Surface map = make_square(1);
+  map.packed_uv = true;  // so that the map stays as it is
+  map.triangle.push_back({map.triangle[0][0], map.triangle[0][2], map.triangle[0][1]});
+  map.uv.push_back({map.uv[0][0], map.uv[0][2], map.uv[0][1]});
+  const Unfold unfold = [&](const Surface&, const CutPlan&, const std::string&) { return map; };
+  const TriedPlan plan = plan_cuts(make_pear(1), "pear", unfold)[0];
+  EXPECT_NEAR(plan.cost, 20 * (1.0 / 4 + 1.0 / 5), 0.05);
+  EXPECT_TRUE(plan.plan.tips.empty());  // a cut that does not lower the cost is not kept
+  map.uv[1].fill(map.uv[1][0]);
+  EXPECT_EQ(plan_cuts(make_pear(1), "pear", unfold)[0].cost, std::numeric_limits<double>::max());
 }
 
 // For the mesh of a named model, flatten() must need nearly as few charts as CGAL, whose map the model has,

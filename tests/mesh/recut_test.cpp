@@ -81,31 +81,38 @@ TEST(UvOverlaps, AreSharedInnerPoints) {
   EXPECT_EQ(uv_overlaps({{glm::dvec2(.6, .2), {.7, .2}, {.7, .3}}, {o, x, xy}}),
             (Pairs{{0, 1}}));  // one in the other
   EXPECT_EQ(uv_overlaps({{o, {3, .1}, {3, .2}}, {xy, {1, -1}, {1.1, 0}}}), (Pairs{{0, 1}}));  // a cross
+  EXPECT_EQ(uv_overlaps({{o, xy, y}, {xy, o, x}}), Pairs{});     // neighbours, apart by first edges only
   EXPECT_EQ(uv_overlaps({{o, x, {2, 0}}, {o, x, y}}), Pairs{});  // a triangle without area
+  const glm::dvec2 in(.2, .2);
+  EXPECT_EQ(uv_overlaps({{in, in, {.3, .3}}, {o, x, y}}), Pairs{});  // equal corners
+  EXPECT_EQ(uv_overlaps({{in, in, in}, {in, in, in}}), Pairs{});
+  // Triangles of the size 0.01 that overlap by 2e-9.
+  EXPECT_EQ(uv_overlaps({{o, {.01, 0}, {0, .01}}, {glm::dvec2(.01, 2e-9), {0, 2e-9}, {.005, -.01}}}).size(),
+            1u);
 }
 
-TEST(Recut, ASpiralGetsOneChartPerTurnFourTexelsApart) {
+// Lengths are in sides of a quad. The move flips triangle 0, and lays triangle 1 on triangles 2 and 3, which
+// have a larger area. Triangles 3 and 6 are neighbours of 0 and 1; their centroids are sqrt(5)/3 = 0.7454
+// away. The rest has the area 7. A disc of twice the growth has the area 6.993, then 7.069.
+TEST(ChoosePieces, GrowsAPieceAndJoinsARestThatIsSmall) {
+  Surface surface = sheet(3);
+  move(surface, 0, glm::dvec2(1.2, -0.5) * (0.8 / 3));
+  EXPECT_EQ(choose_pieces(surface, {0.746, 0}).piece, (std::vector<Faces>{{0, 1, 3, 6}}));
+  EXPECT_EQ(choose_pieces(surface, {0.75, 0}).piece.at(0).size(), 18u);
+}
+
+TEST(Recut, ASpiralGetsOneChartPerTurn) {
   Surface surface = spiral(2.5);
   ASSERT_FALSE(uv_overlaps(surface.uv).empty());
   EXPECT_TRUE(recut(surface, false, "spiral"));
   expect_clean(surface);
   EXPECT_TRUE(surface.packed_uv);
-  const Mesh mesh = finish(surface, "spiral", glm::dvec3(0));
-  const UvQuality q = uv_quality(mesh);
+  const UvQuality q = uv_quality(finish(surface, "spiral", glm::dvec3(0)));
   EXPECT_EQ(q.overlapping, 0.0);
   EXPECT_GE(q.charts, 3u);
   EXPECT_LE(q.charts, 6u);
   EXPECT_GT(q.area_low, 0.7);  // all charts have nearly the same scale
   EXPECT_LT(q.area_high, 1.4);
-  const std::vector<std::uint32_t> chart = charts(mesh);
-  double least = 1;
-  for (std::size_t f = 0; f < chart.size(); ++f)
-    for (std::size_t g = 0; g < chart.size(); ++g)
-      if (chart[f] < chart[g])
-        for (int i = 0; i < 9; ++i)
-          least = std::min(least, double(glm::distance(mesh.uv[mesh.triangle[f][i % 3]],
-                                                       mesh.uv[mesh.triangle[g][i / 3]])));
-  EXPECT_GE(least, 3.9 / 256);
 }
 
 TEST(Recut, AMapWithoutOverlapsKeepsItsBits) {
@@ -130,6 +137,29 @@ TEST(Recut, TheRestOfTheMapKeepsItsUv) {
   EXPECT_GT(same, before.size() * 9 / 10);
   EXPECT_LT(same, before.size());
   EXPECT_EQ(uv_quality(finish(surface, "sheet", glm::dvec3(0))).charts, 2u);
+  EXPECT_EQ(surface.notes,
+            std::vector<std::string>{"UV map: 1 part was cut out, because the map overlapped itself"});
+}
+
+// The map of sheets that lie on each other becomes smaller by at most a half. Each sheet then has 0.39 of the
+// square's side, so that two of them fit beside each other, but not three.
+TEST(Recut, FitsFourSheetsIntoTheSquareButNotFive) {
+  for (const auto& [count, note] :
+       {std::pair(4u, "UV map: 3 parts were cut out, because the map overlapped itself"),
+        {5u, "UV map: 4 parts would need charts of their own, but the UV square has no space for them"}}) {
+    const Surface one = sheet(4);
+    Surface stack = one;
+    for (std::uint32_t p = 25; p < 25 * count; p += 25) {
+      stack.point.insert(stack.point.end(), one.point.begin(), one.point.end());
+      stack.uv.insert(stack.uv.end(), one.uv.begin(), one.uv.end());
+      for (const auto& [a, b, c] : one.triangle) stack.triangle.push_back({p + a, p + b, p + c});
+    }
+    const std::vector<Corners> before = stack.uv;
+    EXPECT_TRUE(recut(stack, false, "stack"));
+    EXPECT_EQ(stack.notes, std::vector<std::string>{note});
+    EXPECT_EQ(stack.uv == before, count == 5);
+    if (count == 4) expect_clean(stack);
+  }
 }
 
 TEST(Recut, EvenCutsOutWhatTheMapShrinks) {
@@ -151,17 +181,21 @@ TEST(Recut, EvenCutsOutWhatTheMapShrinks) {
   EXPECT_GT(after.area_low, 0.6);
 }
 
-TEST(FreeSpace, GivesPlacesApartFromTheRest) {
-  FreeSpace space;
-  const glm::dvec2 low(0.1, 0.1), right(0.9, 0.1), high(0.1, 0.9);
-  space.take({low, right, high});  // takes its whole bounding box, because triangles are small
-  for (const glm::dvec2 large : {glm::dvec2(0.2, 0.2), {0.09, 0.3}, {0.3, 0.09}})
-    EXPECT_FALSE(space.place(large).has_value());
-  const auto first = space.place({0.05, 0.3}), second = space.place({0.05, 0.3});
-  ASSERT_TRUE(first && second);
-  EXPECT_TRUE(first->x > 0.9 || first->y > 0.9 || first->x + 0.05 < 0.1);
-  EXPECT_TRUE(std::abs(first->x - second->x) >= 0.05 + 4.0 / 256 ||
-              std::abs(first->y - second->y) >= 0.3 + 4.0 / 256);
+// Charts keep a distance of 2/256 from the border and of 4/256 from each other.
+TEST(FreeSpace, GivesTheLowestPlaceApartFromTheRest) {
+  const glm::dvec2 o(0, 0), quarter(0.25);
+  FreeSpace empty, corner, space;
+  EXPECT_EQ(empty.place(quarter), glm::dvec2(2, 2) / 256.0);
+  EXPECT_EQ(empty.place(quarter), glm::dvec2(2 + 64 + 4, 2) / 256.0);
+  corner.take({o, o, o});  // takes a cell, which is a quarter of 1/256 wide
+  EXPECT_EQ(corner.place(quarter), glm::dvec2(1 + 4, 2) / 256.0);
+  space.take({o, {0.25, 0}, {0, 0.5}});  // takes its whole bounding box, because triangles are small
+  EXPECT_EQ(space.place(quarter), glm::dvec2(64 + 1 + 4, 2) / 256.0);
+  EXPECT_EQ(space.place({0.9, 0.25}), glm::dvec2(2, 128 + 1 + 4) / 256.0);
+  EXPECT_FALSE(space.place({0.9, 0.25}));
+  EXPECT_EQ(FreeSpace().place(glm::dvec2(252) / 256.0), glm::dvec2(2) / 256.0);
+  EXPECT_FALSE(FreeSpace().place(glm::dvec2(1, 253) / 256.0) ||
+               FreeSpace().place(glm::dvec2(253, 1) / 256.0));
 }
 
 }  // namespace
