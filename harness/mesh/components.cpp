@@ -114,24 +114,23 @@ void turn_outwards(Surface& surface) {
   const std::vector<std::uint32_t> component = components(surface);
   const std::size_t count = count_of(component);
   const auto sides = directed_sides(surface.triangle);
-  std::vector<char> open(count, false);
-  std::vector<double> volume(count, 0);
+  std::vector<double> volume(count, 0);  // infinite if the component is open
   std::vector<glm::dvec3> origin(count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
   for (std::size_t f = 0; f < surface.triangle.size(); ++f) {
     const auto& [a, b, c] = surface.triangle[f];
     const std::uint32_t n = component[f];
     for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-      if (!std::binary_search(sides.begin(), sides.end(), std::pair(q, p))) open[n] = true;
+      if (!std::binary_search(sides.begin(), sides.end(), std::pair(q, p)))
+        volume[n] = std::numeric_limits<double>::infinity();
     if (std::isnan(origin[n].x)) origin[n] = surface.point[a];
     const glm::dvec3 o = origin[n];
     volume[n] += glm::dot(surface.point[a] - o, glm::cross(surface.point[b] - o, surface.point[c] - o));
   }
-  std::size_t turned = 0;
-  for (std::size_t n = 0; n < count; ++n) turned += !open[n] && volume[n] < 0;
+  const auto inside_out = [](double of_component) { return of_component < 0; };
+  const auto turned = std::ranges::count_if(volume, inside_out);
   if (turned == 0) return;
   for (std::size_t f = 0; f < surface.triangle.size(); ++f)
-    if (!open[component[f]] && volume[component[f]] < 0)
-      std::swap(surface.triangle[f][1], surface.triangle[f][2]);
+    if (inside_out(volume[component[f]])) std::swap(surface.triangle[f][1], surface.triangle[f][2]);
   surface.notes.push_back(count == 1 ? "turned all faces outwards"
                                      : fmt::format("turned the faces of {} components outwards", turned));
 }
@@ -170,10 +169,7 @@ Surface packed(const Surface& surface, const std::vector<Surface>& parts) {
     const Chart& chart = charts[n];
     const UvTurn turn(chart.degrees);
     Surface::Corners corners = parts[n].uv[next[n]++];
-    for (glm::dvec2& p : corners) {
-      p = (chart.place + chart.scale * (turn(p) - chart.low)) / side;
-      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding may move p out of the square
-    }
+    for (glm::dvec2& p : corners) p = (chart.place + chart.scale * (turn(p) - chart.low)) / side;
     result.uv.push_back(corners);
   }
   result.notes.push_back(

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 #include "harness/error.hpp"
 #include "harness/mesh/laplace.hpp"
@@ -16,13 +18,12 @@ namespace pelage {
 namespace {
 
 using Columns = LaplaceSolver::Columns;
-using Triplets = std::vector<Eigen::Triplet<double>>;
 
 // A triangle in its own plane with the corners (0, 0), (base, 0) and (x, y). weight[k] is half the cotangent
 // of the angle opposite to side k, which goes from corner k to k + 1.
 struct Local {
   double base, x, y;
-  double weight[3];
+  glm::dvec3 weight;
   glm::dvec2 corner(int k) const {
     return k == 0 ? glm::dvec2(0) : k == 1 ? glm::dvec2(base, 0) : glm::dvec2(x, y);
   }
@@ -44,11 +45,9 @@ std::vector<Local> locals(const Surface& surface, const Disk& disk) {
     const double base = glm::distance(a, b);
     const double x = base > 0 ? glm::dot(c - a, b - a) / base : 0;
     const double y = std::sqrt(std::max(0.0, glm::dot(c - a, c - a) - x * x));
-    list.push_back(
-        {base,
-         x,
-         y,
-         {half_cotangent(a - c, b - c), half_cotangent(b - a, c - a), half_cotangent(c - b, a - b)}});
+    const glm::dvec3 weight(half_cotangent(a - c, b - c), half_cotangent(b - a, c - a),
+                            half_cotangent(c - b, a - b));
+    list.push_back({base, x, y, weight});
   }
   return list;
 }
@@ -57,7 +56,7 @@ std::vector<Local> locals(const Surface& surface, const Disk& disk) {
 // empty vector if the border is not a single loop.
 std::vector<std::uint32_t> border_of(const Disk& disk) {
   const auto sides = directed_sides(disk.triangle);
-  std::vector<std::uint32_t> next(disk.point.size(), no_index);
+  std::vector<std::uint32_t> next(disk.point.size(), no_index), border;
   std::size_t count = 0;
   std::uint32_t first = no_index;
   for (const auto& [p, q] : sides) {
@@ -65,10 +64,11 @@ std::vector<std::uint32_t> border_of(const Disk& disk) {
     if (next[p] != no_index) return {};
     next[p] = q, first = std::min(first, p), ++count;
   }
-  std::vector<std::uint32_t> border;
-  for (std::uint32_t p = first; p != no_index && border.size() < count; p = next[p]) border.push_back(p);
-  const bool one_loop = border.size() == count && count >= 3 && next[border.back()] == first;
-  return one_loop ? border : std::vector<std::uint32_t>();
+  // Each vertex loses its successor when the walk leaves it, so the walk ends when it is back at `first`.
+  for (std::uint32_t p = first; p != no_index; p = std::exchange(next[p], no_index)) border.push_back(p);
+  if (border.size() != count + 1) return {};
+  border.pop_back();
+  return border;
 }
 
 // Places the border vertices by arc length on a circle whose area equals the surface area of the disk. Writes
@@ -90,6 +90,37 @@ void place_border(const Surface& surface, const Disk& disk, const std::vector<st
   }
 }
 
+// Returns the matrix that subtracts from each unknown vertex, times the sum of its weights, its weighted
+// neighbours. `number` is the row of each unknown vertex, and no_index for a known vertex. For each side from
+// an unknown to a known vertex, the function calls known(row, vertex, weight).
+template <class Known>
+LaplaceSolver::Matrix laplacian(const Disk& disk, const std::vector<Local>& local,
+                                const std::vector<std::uint32_t>& number, std::uint32_t unknowns,
+                                const Known& known) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(disk.triangle.size() * 6 + unknowns);
+  std::vector<double> diagonal(unknowns, 0);
+  for (std::size_t f = 0; f < local.size(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t p = disk.triangle[f][std::size_t(k)],
+                          q = disk.triangle[f][std::size_t((k + 1) % 3)];
+      const double w = local[f].weight[k];
+      for (const auto& [from, to] : {std::pair(p, q), std::pair(q, p)}) {
+        if (number[from] == no_index) continue;
+        diagonal[number[from]] += w;
+        if (number[to] == no_index)
+          known(number[from], to, w);
+        else
+          entries.emplace_back(int(number[from]), int(number[to]), -w);
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < unknowns; ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
+  LaplaceSolver::Matrix matrix(unknowns, unknowns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
 // Computes the harmonic map: every inner vertex is the weighted mean of its neighbours. The map is
 // one-to-one, because the weights are positive and the border is convex (Tutte 1963). Returns false if the
 // solver fails.
@@ -101,33 +132,14 @@ bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vect
   for (std::uint32_t& n : number)
     if (n != no_index) n = unknowns++;
   if (unknowns == 0) return true;
-  Triplets entries;
-  entries.reserve(disk.triangle.size() * 6);
-  std::vector<double> diagonal(unknowns, 0);
-  Columns b = Columns::Zero(unknowns, 2), inner = Columns::Zero(unknowns, 2);
-  for (std::size_t f = 0; f < local.size(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t p = disk.triangle[f][std::size_t(k)],
-                          q = disk.triangle[f][std::size_t((k + 1) % 3)];
-      const double w = local[f].weight[k];
-      for (const auto& [from, to] : {std::pair(p, q), std::pair(q, p)}) {
-        if (number[from] == no_index) continue;
-        diagonal[number[from]] += w;
-        if (number[to] == no_index)
-          b.row(number[from]) += w * x.row(to);
-        else
-          entries.emplace_back(int(number[from]), int(number[to]), -w);
-      }
-    }
-  }
-  for (std::uint32_t i = 0; i < unknowns; ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
-  LaplaceSolver::Matrix matrix(unknowns, unknowns);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Triplets().swap(entries);
-  if (!LaplaceSolver(matrix).solve(b, inner)) return false;
+  Columns b = Columns::Zero(unknowns, x.cols()), inner = b;
+  const LaplaceSolver solver(
+      laplacian(disk, local, number, unknowns,
+                [&](std::uint32_t row, std::uint32_t vertex, double w) { b.row(row) += w * x.row(vertex); }));
+  const bool solved = solver.solve(b, inner).has_value();
   for (std::size_t v = 0; v < number.size(); ++v)
     if (number[v] != no_index) x.row(Eigen::Index(v)) = inner.row(number[v]);
-  return true;
+  return solved;
 }
 
 glm::dvec2 at(const Columns& x, Eigen::Index p) {
@@ -135,27 +147,14 @@ glm::dvec2 at(const Columns& x, Eigen::Index p) {
 }
 
 LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& local) {
-  const auto size = Eigen::Index(disk.point.size());
-  Triplets entries;
-  entries.reserve(disk.triangle.size() * 6 + disk.point.size());
-  std::vector<double> diagonal(disk.point.size(), 0);
-  for (std::size_t f = 0; f < local.size(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t p = disk.triangle[f][std::size_t(k)],
-                          q = disk.triangle[f][std::size_t((k + 1) % 3)];
-      const double w = local[f].weight[k];
-      diagonal[p] += w, diagonal[q] += w;
-      entries.emplace_back(int(p), int(q), -w);
-      entries.emplace_back(int(q), int(p), -w);
-    }
-  }
+  std::vector<std::uint32_t> all(disk.point.size());
+  std::iota(all.begin(), all.end(), 0u);
+  LaplaceSolver::Matrix matrix =
+      laplacian(disk, local, all, std::uint32_t(all.size()), [](std::uint32_t, std::uint32_t, double) {});
   // The equations leave the translation of the map free. Doubling the first diagonal element fixes the
   // translation, because the first vertex of the map then lies at the origin. The doubling does not change
   // the shape of the map.
-  diagonal[0] *= 2;
-  for (std::size_t i = 0; i < diagonal.size(); ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
-  LaplaceSolver::Matrix matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix.coeffRef(0, 0) *= 2;
   return matrix;
 }
 
@@ -164,7 +163,7 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
 // its image in the current map x. The right-hand side sums the rotated sides of all triangles, weighted by
 // Local::weight.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
-  Columns b = Columns::Zero(x.rows(), 2);
+  Columns b = Columns::Zero(x.rows(), x.cols());
   for (std::size_t f = 0; f < local.size(); ++f) {
     const auto& t = disk.triangle[f];
     const Local& l = local[f];
@@ -176,7 +175,7 @@ Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, cons
       across += l.weight[k] * (d.x * e.y - d.y * e.x);
     }
     const double size = std::hypot(along, across);
-    const double c = size > 0 ? along / size : 1, s = size > 0 ? across / size : 0;
+    const auto [c, s] = size > 0 ? std::pair(along / size, across / size) : std::pair(1.0, 0.0);
     for (int k = 0; k < 3; ++k) {
       const int n = (k + 1) % 3;
       const glm::dvec2 e = l.corner(k) - l.corner(n);
@@ -204,7 +203,7 @@ void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns&
     if (turned >= before) x = kept;
     if (turned == 0 || turned >= before) break;
     before = turned, kept = x;
-    Columns sum = Columns::Zero(x.rows(), 2);
+    Columns sum = Columns::Zero(x.rows(), x.cols());
     std::vector<double> count(disk.point.size(), 0);
     for (const auto& t : disk.triangle)
       for (int k = 0; k < 3; ++k) {
@@ -222,28 +221,6 @@ void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns&
   throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
 }
 
-struct Start {
-  std::vector<std::uint32_t> border;
-  std::vector<Local> local;
-  Columns circle;  // the harmonic map onto a circle
-};
-
-Start start_of(const Surface& surface, const Disk& disk, const std::string& name) {
-  Start start{border_of(disk), {}, Columns::Zero(Eigen::Index(disk.point.size()), 2)};
-  if (start.border.empty()) fail(name);
-  start.local = locals(surface, disk);
-  place_border(surface, disk, start.border, start.local, start.circle);
-  if (!harmonic(disk, start.local, start.border, start.circle)) fail(name);
-  return start;
-}
-
-std::vector<glm::dvec2> uv_of(const Columns& x) {
-  std::vector<glm::dvec2> uv;
-  uv.reserve(std::size_t(x.rows()));
-  for (Eigen::Index i = 0; i < x.rows(); ++i) uv.push_back(at(x, i));
-  return uv;
-}
-
 }  // namespace
 
 FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& name,
@@ -252,44 +229,41 @@ FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& na
     if (part) part(double(step) / (iterations + 2));
   };
   tell(0);
-  const Start start = start_of(surface, disk, name);
+  const std::vector<std::uint32_t> border = border_of(disk);
+  if (border.empty()) fail(name);
+  const std::vector<Local> local = locals(surface, disk);
+  Columns circle = Columns::Zero(Eigen::Index(disk.point.size()), Columns::ColsAtCompileTime);
+  place_border(surface, disk, border, local, circle);
+  if (!harmonic(disk, local, border, circle)) fail(name);
   tell(1);
   FlatDisk flat;
-  Columns x = start.circle;
+  Columns x = circle;
   flat.rigid = iterations > 0;
-  const LaplaceSolver solver(rigid_matrix(disk, start.local));
+  const LaplaceSolver solver(rigid_matrix(disk, local));
   for (int i = 0; i < iterations && flat.rigid; ++i) {
     tell(2 + i);
-    flat.rigid = solver.solve(turned_triangles(disk, start.local, x), x).has_value();
+    flat.rigid = solver.solve(turned_triangles(disk, local, x), x).has_value();
   }
-  if (flat.rigid) unturn(disk, start.border, x);
+  if (flat.rigid) unturn(disk, border, x);
   MapQuality quality;
   const auto keep = [&](const Columns& map) {
-    flat.uv = uv_of(map);
+    flat.uv.resize(disk.point.size());
+    for (std::size_t i = 0; i < flat.uv.size(); ++i) flat.uv[i] = at(map, Eigen::Index(i));
     quality = map_quality(flat.uv, disk.triangle);
     return quality.usable;
   };
   flat.rigid = flat.rigid && keep(x);
-  if (!flat.rigid && !keep(start.circle)) fail(name);
+  if (!flat.rigid && !keep(circle)) fail(name);
   flat.flipped = quality.flipped;
   return flat;
 }
 
-namespace {
-
-// Returns true if the triangles of a manifold have no border: each side is also a side of another triangle,
-// in the other direction.
-bool is_closed(const std::vector<Surface::Triangle>& triangles) {
-  const auto sides = directed_sides(triangles);
-  return std::ranges::all_of(sides, [&](const auto& side) {
+void need_cut(const Disk& disk, const std::string& name) {
+  const auto sides = directed_sides(disk.triangle);
+  const bool closed = std::ranges::all_of(sides, [&](const auto& side) {
     return std::binary_search(sides.begin(), sides.end(), std::pair(side.second, side.first));
   });
-}
-
-}  // namespace
-
-void need_cut(const Surface& surface, const Disk& disk, const std::string& name) {
-  if (disk.point.size() == surface.point.size() && is_closed(disk.triangle))
+  if (closed)
     throw InputError(fmt::format("{}: the closed surface is not cut and cannot be flattened", name));
 }
 
@@ -308,7 +282,7 @@ Surface with_map(const Surface& surface, const CutPlan& plan, const Disk& disk,
 Surface unfold_file(const Surface& surface, const CutPlan& plan, const std::string& name,
                     const std::function<void(double)>& part) {
   const Disk disk = cut_open(surface, plan);
-  need_cut(surface, disk, name);
+  need_cut(disk, name);
   const FlatDisk flat = flatten(surface, disk, name, part);
   return with_map(surface, plan, disk, flat.uv,
                   flat.rigid ? "as rigidly as possible" : "harmonic on a circle", flat.flipped);

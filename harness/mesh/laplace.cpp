@@ -21,11 +21,10 @@ bool joined(const Eigen::VectorXd& diagonal, Eigen::Index i, Eigen::Index j, dou
   return j != i && value * value > strong * strong * diagonal[i] * diagonal[j];
 }
 
-// Partitions the unknowns into groups of strongly connected neighbours. Returns the group of each unknown;
-// `count` receives the number of groups.
+// Partitions the unknowns into groups of strongly connected neighbours. Returns the group of each unknown,
+// and adds the number of groups to `count`, which is 0 before.
 std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, int& count) {
   std::vector<int> group(std::size_t(a.rows()), no_group);
-  count = 0;
   for (Eigen::Index i = 0; i < a.rows(); ++i) {
     bool free = group[std::size_t(i)] == no_group;
     for (Matrix::InnerIterator at(a, i); free && at; ++at)
@@ -122,7 +121,7 @@ LaplaceSolver::LaplaceSolver(Matrix matrix) {
 LaplaceSolver::Columns LaplaceSolver::cycle(std::size_t number, const Columns& b) const {
   const Level& level = levels_[number];
   if (number + 1 == levels_.size()) return coarsest_.solve(b);
-  Columns x = Columns::Zero(b.rows(), 2);
+  Columns x = Columns::Zero(b.rows(), b.cols());
   sweep(level.a, level.diagonal, b, x, true);
   const Columns rest = b - level.a * x;
   const Columns below = level.down * rest;
@@ -137,28 +136,25 @@ std::optional<int> LaplaceSolver::solve(const Columns& b, Columns& x) const {
     x = coarsest_.solve(b);
     return x.allFinite() ? std::optional(0) : std::nullopt;
   }
-  const Eigen::Array2d size = b.colwise().norm().transpose().array() + std::numeric_limits<double>::min();
+  const Eigen::Array2d size = b.colwise().norm().transpose().array().max(std::numeric_limits<double>::min());
   Columns rest = b - levels_.front().a * x;
   Columns z = cycle(0, rest), p = z;
   Eigen::Array2d rz = rest.cwiseProduct(z).colwise().sum().transpose().array();
-  double left = std::numeric_limits<double>::infinity();
-  int iterations = 0;
-  for (;; ++iterations) {
-    left = (rest.colwise().norm().transpose().array() / size).maxCoeff();
-    if (!(left > good) || iterations == most_iterations) break;
+  for (int iterations = 0;; ++iterations) {
+    const double left = (rest.colwise().norm().transpose().array() / size).maxCoeff();
+    if (!(left > good) || iterations == most_iterations)
+      return left <= usable && x.allFinite() ? std::optional(iterations) : std::nullopt;
     const Columns ap = levels_.front().a * p;
     const Eigen::Array2d pap = p.cwiseProduct(ap).colwise().sum().transpose().array();
-    Eigen::Array2d alpha(0, 0), beta(0, 0);
-    for (int k = 0; k < 2; ++k) alpha[k] = pap[k] > 0 ? rz[k] / pap[k] : 0;
+    const Eigen::Array2d alpha = (pap > 0).select(rz / pap, 0.0);
     x += p * alpha.matrix().asDiagonal();
     rest -= ap * alpha.matrix().asDiagonal();
     z = cycle(0, rest);
     const Eigen::Array2d next = rest.cwiseProduct(z).colwise().sum().transpose().array();
-    for (int k = 0; k < 2; ++k) beta[k] = rz[k] > 0 ? next[k] / rz[k] : 0;
+    const Eigen::Array2d beta = (rz > 0).select(next / rz, 0.0);
     p = (z + p * beta.matrix().asDiagonal()).eval();
     rz = next;
   }
-  return left <= usable && x.allFinite() ? std::optional(iterations) : std::nullopt;
 }
 
 }  // namespace pelage

@@ -21,13 +21,12 @@ struct Side {
 /// Returns the sides of all triangles, sorted so that sides with the same end points are adjacent.
 template <class Triangle>
 std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(triangles.size() * 3);
+  std::vector<Side> sides(triangles.size() * 3);
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     const std::uint32_t corner[] = {triangles[f][0], triangles[f][1], triangles[f][2]};
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
+      sides[3 * f + k] = {std::min(a, b), std::max(a, b), f, k, a < b};
     }
   }
   std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.face, s.corner); });

@@ -35,9 +35,9 @@ class Factored_once {
       solver_ = std::make_shared<Solver>();
       solver_->compute(a.eigen_object());
     }
-    if (solver_->info() != Eigen::Success) return false;
-    x = solver_->solve(b);
-    return solver_->info() == Eigen::Success;
+    const bool factored = solver_->info() == Eigen::Success;
+    if (factored) x = solver_->solve(b);
+    return factored;
   }
 
  private:
@@ -59,23 +59,19 @@ Polyhedron flat_mesh(const Surface& surface, const Disk& disk) {
   return to_cgal(opened);
 }
 
-struct Map {
-  std::vector<glm::dvec2> uv;  // UV of each vertex of the cut mesh; a point on a cut has several vertices
-  MapQuality quality;
-};
-
+// Returns the UV of each vertex of the cut mesh. A point on a cut has several vertices.
 template <class Parameterizer>
-Map lay_flat(Polyhedron& mesh, Parameterizer parameterizer) {
-  auto uv = mesh.add_property_map<Polyhedron::Vertex_index, Point2>("v:uv", Point2(0, 0)).first;
-  auto index = mesh.add_property_map<Polyhedron::Vertex_index, int>("v:number", 0).first;
-  auto placed = mesh.add_property_map<Polyhedron::Vertex_index, bool>("v:placed", false).first;
+std::vector<glm::dvec2> lay_flat(Polyhedron& mesh, Parameterizer parameterizer) {
+  auto uv = mesh.add_property_map<Polyhedron::Vertex_index, Point2>("v:uv", Point2(CGAL::ORIGIN)).first;
+  auto index = mesh.add_property_map<Polyhedron::Vertex_index, int>("v:number").first;
+  auto placed = mesh.add_property_map<Polyhedron::Vertex_index, bool>("v:placed").first;
   for (const auto v : mesh.vertices()) index[v] = int(v.idx());
   const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   // The returned error code is ignored. Code 6 (no one-to-one mapping) means that the last step of the ARAP
   // parameterizer rejected a border that intersects itself. The map is complete nevertheless.
   (void)parameterizer.parameterize(mesh, border, uv, index, placed);
-  Map map;
-  for (const auto v : mesh.vertices()) map.uv.emplace_back(uv[v].x(), uv[v].y());
+  std::vector<glm::dvec2> map;
+  for (const auto v : mesh.vertices()) map.emplace_back(uv[v].x(), uv[v].y());
   mesh.remove_property_map(uv);
   mesh.remove_property_map(index);
   mesh.remove_property_map(placed);
@@ -99,18 +95,18 @@ MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surf
 
 Surface unfold_model(const Surface& surface, const CutPlan& plan, const std::string& name) {
   const Disk disk = cut_open(surface, plan);
-  need_cut(surface, disk, name);
+  need_cut(disk, name);
   Polyhedron mesh = flat_mesh(surface, disk);
-  Map map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));
-  map.quality = map_quality(map.uv, disk.triangle);
+  std::vector<glm::dvec2> map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));
+  MapQuality quality = map_quality(map, disk.triangle);
   std::string method = "as rigidly as possible";
-  if (!map.quality.usable) {
+  if (!quality.usable) {
     map = lay_flat(mesh, Convex());
-    map.quality = map_quality(map.uv, disk.triangle);
+    quality = map_quality(map, disk.triangle);
     method = "mean-value coordinates on a circle";
   }
-  if (!map.quality.usable) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
-  return with_map(surface, plan, disk, map.uv, method, map.quality.flipped);
+  if (!quality.usable) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
+  return with_map(surface, plan, disk, map, method, quality.flipped);
 }
 
 }  // namespace pelage

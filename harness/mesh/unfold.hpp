@@ -115,6 +115,6 @@ Surface with_map(const Surface& surface, const CutPlan& plan, const Disk& disk,
                  const std::vector<glm::dvec2>& uv, const std::string& method, std::size_t flipped);
 
 /// Throws InputError if `disk` is a closed surface without cuts, which cannot be flattened.
-void need_cut(const Surface& surface, const Disk& disk, const std::string& name);
+void need_cut(const Disk& disk, const std::string& name);
 
 }  // namespace pelage

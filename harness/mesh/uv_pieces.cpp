@@ -120,6 +120,7 @@ void grow(const Surface& surface, const Neighbours& next, double growth, std::ve
   while (!queue.empty()) {
     const auto [d, f] = queue.top();
     queue.pop();
+    if (d > distance[f]) continue;
     for (const std::uint32_t g : next[f]) {
       if (g == no_face) continue;
       const double there = d + glm::distance(centroid(surface, f), centroid(surface, g));

@@ -73,11 +73,12 @@ TEST(Components, OfAFileEachGetsAChart) {
   EXPECT_LT(q.area_high, 2.0);
 }
 
-// Two texels of a mask of 256 x 256 texels lie around each chart. Many charts have narrower margins.
+// Two texels of a mask of 256 x 256 texels lie around each chart. Many charts have narrower margins. Equal
+// charts fill the square in as many columns as rows; of two charts, the second lies above the first.
 TEST(Components, HaveMarginsAroundTheirCharts) {
-  for (const auto& [count, margin] : {std::pair(2u, 2.0 / 256), {400u, 0.1 / 20}}) {
+  for (const auto& [count, rows, margin] : {std::tuple(2u, 2, 2.0 / 256), {400u, 20, 0.1 / 20}}) {
     Surface square, all;
-    square.point = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    square.point = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}};
     square.triangle = {{0, 1, 2}, {0, 2, 3}};
     const glm::dvec2 o(0, 0), x(1, 0), xy(1, 1), y(0, 1);
     square.uv = {{o, x, xy}, {o, xy, y}};
@@ -92,6 +93,8 @@ TEST(Components, HaveMarginsAroundTheirCharts) {
         for (int k = 0; k < 9; ++k)
           least = std::min(least, glm::distance(uv[f][std::size_t(k % 3)], uv[g][std::size_t(k / 3)]));
     EXPECT_NEAR(least, 2 * margin, 2e-5);
+    EXPECT_NEAR(glm::distance(uv[0][0], uv[0][1]), 1.0 / rows - 2 * margin, 2e-5);
+    EXPECT_EQ(uv[0][0].x == uv[2][0].x, count == 2);
   }
 }
 
@@ -122,6 +125,12 @@ TEST(Components, ThatAreOpenAreNotTurned) {
             (std::vector<Surface::Triangle>{
                 {1, 2, 3}, {0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {4, 5, 6}, {4, 7, 5}, {5, 7, 6}}));
   EXPECT_EQ(surface.notes, std::vector<std::string>{"turned the faces of 1 components outwards"});
+  surface.triangle = {{1, 3, 2}, {0, 1, 2}, {0, 3, 1}, {0, 2, 3}};
+  turn_outwards(surface);
+  EXPECT_EQ(surface.notes.back(), "turned all faces outwards");
+  surface.triangle = {{0, 1, 2}, {0, 2, 1}};  // closed, but without a volume
+  turn_outwards(surface);
+  EXPECT_EQ(surface.notes.size(), 2u);
 }
 
 TEST(Components, AreNumberedInTheOrderOfTheTriangles) {
@@ -134,6 +143,7 @@ TEST(Components, AreNumberedInTheOrderOfTheTriangles) {
   EXPECT_EQ(parts[1].triangle.size(), 2u);
   EXPECT_EQ(parts[1].point.size(), 4u);
   EXPECT_EQ(parts[0].point[0], surface.point[4]);
+  EXPECT_TRUE(split(Surface()).empty());
 }
 
 }  // namespace

@@ -167,7 +167,12 @@ TEST(MapQuality, asks_for_a_finite_map_of_some_area) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(map_quality({{0, 0}, {1, 0}, {0, nan}}, one).usable);
   EXPECT_FALSE(map_quality({{0, 0}, {1, 0}, {2, 0}}, one).usable);
+  EXPECT_EQ(map_quality({{0, 0}, {1, 0}, {2, 0}}, one).flipped, 1u);
   EXPECT_TRUE(map_quality({{0, 0}, {1, 0}, {0, 1}}, one).usable);
+  // One face in fifty is flipped. Its area is that of the other faces together, so the map has the area 0.
+  std::vector<Surface::Triangle> balanced(49, {0, 1, 2});
+  balanced.push_back({0, 3, 1});
+  EXPECT_FALSE(map_quality({{0, 0}, {1, 0}, {0, 1}, {0, 49}}, balanced).usable);
 }
 
 }  // namespace
