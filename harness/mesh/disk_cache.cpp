@@ -77,15 +77,13 @@ bool write_cache_file(const std::filesystem::path& file, std::string_view bytes)
   std::filesystem::create_directories(file.parent_path(), ignored);
   std::string beside = file.string() + ".XXXXXX";
   const int out = ::mkostemp(beside.data(), O_CLOEXEC);
-  if (out < 0) return false;
+  if (out == -1) return false;
   std::ofstream stream(beside, std::ios::binary);
   stream << bytes << std::flush;
   const bool written = stream && ::fchmod(out, 0644) == 0 && ::fsync(out) == 0;
-  if (::close(out) != 0 || !written || ::rename(beside.c_str(), file.c_str()) != 0) {
-    ::unlink(beside.c_str());
-    return false;
-  }
-  return true;
+  const bool kept = ::close(out) == 0 && written && ::rename(beside.c_str(), file.c_str()) == 0;
+  if (!kept) ::unlink(beside.c_str());
+  return kept;
 }
 
 void trim_cache(const std::filesystem::path& folder, std::uintmax_t most) {

@@ -85,11 +85,11 @@ Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
 // a margin from each side of the square: 2/256 of the side's length (two texels of a wetness mask of 256 x
 // 256 texels).
 void fit_uv(std::vector<Surface::Corners>& uv) {
-  double best = 0, least = std::numeric_limits<double>::max();
-  for (double degrees = 0; degrees < 90; degrees += 2)
-    if (const double side = box_of(uv, degrees).side(); side < least * (1 - 1e-6))
-      least = side, best = degrees;
-  const Box box = box_of(uv, best);
+  double best = 0;
+  Box box = box_of(uv, best);
+  for (double degrees = 2; degrees < 90; degrees += 2)
+    if (const Box other = box_of(uv, degrees); other.side() < box.side() * (1 - 1e-6))
+      box = other, best = degrees;
   constexpr double margin = 2.0 / 256;
   const double scale = (1 - 2 * margin) / box.side();
   const glm::dvec2 shift = glm::dvec2(0.5) - scale * 0.5 * (box.low + box.high);

@@ -26,12 +26,13 @@ constexpr double near = 1e-5;
 // If two points of the file coincide in the first frame, their distance in a later frame may be at most this
 // number, R.
 constexpr double together = 1e-4;
-constexpr std::uint64_t most_bytes = std::uint64_t(4) << 30;  ///< limit of the memory for all positions
+/// Limit of the points of all frames: 4 GiB.
+constexpr std::uint64_t most_points = (std::uint64_t(4) << 30) / sizeof(glm::vec3);
 
 /// The points of a mesh file.
 struct Points {
   std::vector<glm::dvec3> position;
-  std::vector<std::uint8_t> used;  ///< 1: a face has this point
+  std::vector<std::uint8_t> used;  ///< true: a face has this point
   std::string faces;               ///< hash of the faces
 };
 
@@ -43,11 +44,11 @@ constexpr auto point_parts = [](const auto& store, auto& points) {
 Points read_points(const fs::path& file) {
   const auto read = [&](const Say&) {
     const Soup soup = read_soup(file, false);
-    Points points{soup.point, std::vector<std::uint8_t>(soup.point.size(), 0), {}};
+    Points points{soup.point, std::vector<std::uint8_t>(soup.point.size(), false), {}};
     Hash hash;
     for (const auto& polygon : soup.polygon) {
       hash.values(polygon);
-      for (const std::uint32_t i : polygon) points.used[i] = 1;
+      for (const std::uint32_t i : polygon) points.used[i] = true;
     }
     points.faces = hash.hex();
     return packed(title, point_parts, points);
@@ -77,9 +78,9 @@ class Cells {
   template <class Visit>
   void around(glm::dvec3 p, const Visit& visit) const {
     const glm::dvec3 own = cell(p);
-    for (int x = -1; x <= 1; ++x)
-      for (int y = -1; y <= 1; ++y)
-        for (int z = -1; z <= 1; ++z)
+    for (const int x : {-1, 0, 1})
+      for (const int y : {-1, 0, 1})
+        for (const int z : {-1, 0, 1})
           if (const auto found = numbers_.find(key(own + glm::dvec3(x, y, z))); found != numbers_.end())
             for (const std::uint32_t number : found->second) visit(number);
   }
@@ -111,35 +112,27 @@ Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotatio
   return {turn, 0.5 * ((file.low + file.high) - radius * (prepared.low + prepared.high)), radius};
 }
 
-/// The points of the file that belong to a surface point: the nearest one, and the others that coincide with
-/// it.
-struct Coincident {
-  std::uint32_t nearest = 0;
-  std::vector<std::uint32_t> others;
-};
-
-std::vector<Coincident> coincident_of(const Mesh& mesh, const Points& first, const Placement& place,
-                                      const fs::path& file) {
+/// Returns the points of the file that belong to each surface point, the nearest one first.
+std::vector<std::vector<std::uint32_t>> coincident_of(const Mesh& mesh, const Points& first,
+                                                      const Placement& place, const fs::path& file) {
   Cells cells(near);
   for (std::uint32_t i = 0; i < first.position.size(); ++i)
     if (first.used[i]) cells.add(place(first.position[i]), i);
-  std::vector<Coincident> points(mesh.welded);
+  std::vector<std::vector<std::uint32_t>> points(mesh.welded);
   std::vector<glm::dvec3> position(mesh.welded);
   for (std::size_t v = 0; v < mesh.position.size(); ++v) position[mesh.weld[v]] = mesh.position[v];
   for (std::uint32_t w = 0; w < mesh.welded; ++w) {
-    double least = near;
-    Coincident& point = points[w];
+    const auto gap = [&](std::uint32_t i) { return glm::distance(place(first.position[i]), position[w]); };
+    std::vector<std::uint32_t>& point = points[w];
     cells.around(position[w], [&](std::uint32_t i) {
-      const double distance = glm::distance(place(first.position[i]), position[w]);
-      if (distance >= near) return;
-      point.others.push_back(i);
-      if (distance < least) point.nearest = i, least = distance;
+      if (gap(i) < near) point.push_back(i);
     });
-    if (point.others.empty())
+    if (point.empty())
       throw InputError(fmt::format(
           "mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its frames cannot be matched; give a mesh whose preparation changes no points (`pelage mesh` lists the changes)",
           file.string()));
-    std::erase(point.others, point.nearest);
+    const auto nearest = std::ranges::min_element(point, {}, gap);
+    std::rotate(point.begin(), nearest, nearest + 1);
   }
   return points;
 }
@@ -163,13 +156,13 @@ fs::path frame_file(const fs::path& first, int frame) {
 
 std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs::path& first, int count,
                                                      glm::dvec3 rotation) {
-  if (std::uint64_t(count) * mesh.welded * sizeof(glm::vec3) > most_bytes)
+  if (std::uint64_t(count) * mesh.welded > most_points)
     throw InputError(
         fmt::format("mesh.frames: {} frames of {} points; all frames together may have at most {} points",
-                    count, mesh.welded, most_bytes / sizeof(glm::vec3)));
+                    count, mesh.welded, most_points));
   const Points rest = read_points(first);
   const Placement place = placement_of(mesh, rest, rotation);
-  const std::vector<Coincident> coincident = coincident_of(mesh, rest, place, first);
+  const std::vector<std::vector<std::uint32_t>> coincident = coincident_of(mesh, rest, place, first);
   std::vector<std::vector<glm::vec3>> frames(static_cast<std::size_t>(count));
   for (int frame = 0; frame < count; ++frame) {
     const fs::path file = frame_file(first, frame);
@@ -179,13 +172,13 @@ std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs:
           "mesh.frames: {}: the points or faces are not those of {}; all frames need the same points and faces in the same order",
           file.string(), first.string()));
     std::vector<glm::vec3>& position = frames[std::size_t(frame)];
-    for (const Coincident& point : coincident) {
-      const glm::dvec3 here = place(points.position[point.nearest]);
-      for (const std::uint32_t other : point.others)
+    for (const std::vector<std::uint32_t>& point : coincident) {
+      const glm::dvec3 here = place(points.position[point.front()]);
+      for (const std::uint32_t other : point)
         if (const glm::dvec3 there = place(points.position[other]); glm::distance(here, there) > together)
           throw InputError(fmt::format(
               "mesh.frames: {}: the points {} and {} coincide in the first frame and part here; give them different positions in the first frame",
-              file.string(), std::min(point.nearest, other) + 1, std::max(point.nearest, other) + 1));
+              file.string(), std::min(point.front(), other) + 1, std::max(point.front(), other) + 1));
       position.emplace_back(here);
     }
   }

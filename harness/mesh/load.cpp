@@ -81,8 +81,8 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
     if (source.item == "torus") return make_torus(72, 65, 0.4);
     if (const auto quads = finer_torus(source.item)) return make_torus(quads->x, quads->y, 0.4);
     if (source.item == "pear") return make_pear(6);
-    if (source.item.starts_with("square-"))
-      return make_square(std::clamp(std::atoi(source.item.c_str() + 7), 1, 1000));
+    if (int side{}; RE2::FullMatch(source.item, "square-([1-9][0-9]{0,2}|1000)", &side))
+      return make_square(side);
     throw InputError(fmt::format("{}: no procedural shape {}; there are torus, torus-AxB, pear and square-N",
                                  source.label, source.item));
   }
@@ -116,12 +116,11 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
 // therefore removes one face, which leaves a hole. The coarse version then also gets an odd number of faces,
 // so that it has such a hole too. Returns `surface` itself if it cannot be made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
-                 const std::function<void(double)>& part = {}) {
+                 const std::function<void(double)>& part) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
-  const std::uint32_t coarse = faces + wanted % 2;
-  if (wanted <= coarse && surface.triangle.size() == wanted) return surface;
   try {
-    return with_faces(surface, std::min(wanted, coarse), up_before(model.rotation), model.name, part);
+    return with_faces(surface, std::min(wanted, faces + wanted % 2), up_before(model.rotation), model.name,
+                      part);
   } catch (const InputError&) {
     return surface;
   }
@@ -197,7 +196,7 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
     tell();
     stages.begin("choosing the cuts for the UV map");
     const std::vector<TriedPlan> plans =
-        plan_cuts(proxy_of(surface, model, 6000), source.label, unfold_model, stages.parts());
+        plan_cuts(proxy_of(surface, model, 6000, [](double) {}), source.label, unfold_model, stages.parts());
     if (model.faces) {
       stages.begin("changing the number of faces");
       surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label, stages.parts());

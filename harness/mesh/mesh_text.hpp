@@ -24,12 +24,10 @@ class Words {
   explicit Words(std::string_view line) : rest_(line) {}
   std::string_view next() {
     const auto space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!rest_.empty() && space(rest_.front())) rest_.remove_prefix(1);
-    std::size_t end = 0;
-    while (end < rest_.size() && !space(rest_[end])) ++end;
-    const std::string_view word = rest_.substr(0, end);
-    rest_.remove_prefix(end);
-    return word;
+    const auto begin = std::find_if_not(rest_.begin(), rest_.end(), space);
+    const auto end = std::find_if(begin, rest_.end(), space);
+    rest_ = std::string_view(end, rest_.end());
+    return std::string_view(begin, end);
   }
   std::string_view rest() const { return rest_; }  ///< the text after the last word that next() returned
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <span>
 #include <string_view>
 
 #include "harness/error.hpp"
@@ -17,7 +18,7 @@ namespace {
 // Unregisters all importers of Assimp except OBJ, PLY, 3DS and glTF. Assimp has about fifty importers, and
 // several of them had security holes recently.
 void allow_only_known_formats(Assimp::Importer& importer) {
-  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+  for (std::size_t i = importer.GetImporterCount(); i--;) {
     const aiImporterDesc* about = importer.GetImporterInfo(i);
     const std::string_view endings = about ? about->mFileExtensions : "";
     const bool known =
@@ -28,18 +29,16 @@ void allow_only_known_formats(Assimp::Importer& importer) {
 
 void append(const aiMesh& mesh, Soup& soup) {
   const auto first = std::uint32_t(soup.point.size());
-  for (unsigned i = 0; i < mesh.mNumVertices; ++i)
-    soup.point.emplace_back(mesh.mVertices[i].x, mesh.mVertices[i].y, mesh.mVertices[i].z);
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
+  for (const aiVector3D& p : std::span(mesh.mVertices, mesh.mNumVertices))
+    soup.point.emplace_back(p.x, p.y, p.z);
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
     if (face.mNumIndices != 3) continue;  // points and lines
     soup.polygon.emplace_back();
     if (mesh.HasTextureCoords(0)) soup.uv.emplace_back();
-    for (unsigned k = 0; k < 3; ++k) {
-      soup.polygon.back().push_back(first + face.mIndices[k]);
-      if (!mesh.HasTextureCoords(0) || face.mIndices[k] >= mesh.mNumVertices) continue;
-      const aiVector3D& uv = mesh.mTextureCoords[0][face.mIndices[k]];
-      soup.uv.back().emplace_back(uv.x, uv.y);
+    for (const unsigned i : std::span(face.mIndices, face.mNumIndices)) {
+      soup.polygon.back().push_back(first + i);
+      if (!mesh.HasTextureCoords(0) || i >= mesh.mNumVertices) continue;
+      soup.uv.back().emplace_back(mesh.mTextureCoords[0][i].x, mesh.mTextureCoords[0][i].y);
     }
   }
 }
@@ -58,7 +57,7 @@ Soup read_by_assimp(const std::filesystem::path& file) {
     throw InputError(fmt::format("{}: not readable: {}", file.string(), reason));
   }
   Soup soup;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], soup);
+  for (const aiMesh* mesh : std::span(scene->mMeshes, scene->mNumMeshes)) append(*mesh, soup);
   if (soup.uv.size() != soup.polygon.size()) soup.uv.clear();  // some meshes of the file have no UV map
   return soup;
 }

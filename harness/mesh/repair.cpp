@@ -26,8 +26,10 @@ namespace {
 
 using Notes = std::vector<std::string>;
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
+// Adds a note of what was done to how many items, unless there are none.
+void note(Notes& notes, std::string_view done, std::size_t count, std::string_view one, std::string_view many,
+          std::string_view rest = "") {
+  if (count > 0) notes.push_back(fmt::format("{} {} {}{}", done, count, count == 1 ? one : many, rest));
 }
 
 Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name, Stages& stages) {
@@ -40,20 +42,19 @@ Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name, St
 
   stages.begin("welding points");
   const std::size_t welded = PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
-  if (welded > 0) notes.push_back("welded " + counted(welded, "coincident point", "coincident points"));
+  note(notes, "welded", welded, "coincident point", "coincident points");
   const std::size_t before = polygons.size();
   stages.begin("dropping degenerate faces");
   PMP::repair_polygon_soup(points, polygons);
-  if (polygons.size() < before)
-    notes.push_back("dropped " + counted(before - polygons.size(), "degenerate or doubled face",
-                                         "degenerate or doubled faces"));
+  // There may be more polygons than before, because CGAL divides those that touch themselves.
+  note(notes, "dropped", before - std::min(before, polygons.size()), "degenerate or doubled face",
+       "degenerate or doubled faces");
   if (polygons.empty()) throw InputError(fmt::format("{}: no face with an area is left", name));
   const std::size_t joined = points.size();
   stages.begin("orienting faces");
   PMP::orient_polygon_soup(points, polygons);
-  if (points.size() > joined)
-    notes.push_back("split " + counted(points.size() - joined, "point", "points") +
-                    " shared by faces of inconsistent orientation");
+  note(notes, "split", points.size() - joined, "point", "points",
+       " shared by faces of inconsistent orientation");
   stages.begin("joining faces");
   Polyhedron mesh;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
@@ -112,8 +113,7 @@ void drop_degenerate_faces(Polyhedron& mesh, Notes& notes) {
   if (flat.empty()) return;
   const bool all = PMP::remove_degenerate_faces(mesh);
   mesh.collect_garbage();
-  notes.push_back("removed " + counted(flat.size(), "face", "faces") + " without area" +
-                  (all ? "" : ", not all"));
+  note(notes, "removed", flat.size(), "face", "faces", all ? " without area" : " without area, not all");
 }
 
 double width(const Polyhedron& mesh, Polyhedron::Halfedge_index border) {
@@ -135,9 +135,8 @@ void fill_holes(Polyhedron& mesh, bool all, Notes& notes) {
     PMP::triangulate_hole(mesh, border, std::back_inserter(patch));
     if (!patch.empty()) ++filled;
   }
-  if (filled > 0) notes.push_back("filled " + counted(filled, "hole", "holes"));
-  if (filled < borders.size())
-    notes.push_back("left " + counted(borders.size() - filled, "border", "borders") + " open");
+  note(notes, "filled", filled, "hole", "holes");
+  note(notes, "left", borders.size() - filled, "border", "borders", " open");
 }
 
 }  // namespace
@@ -147,9 +146,9 @@ Surface repair(const Soup& soup, const RepairOptions& options, const std::string
   Polyhedron mesh = from_soup(soup, notes, name, stages);
   stages.begin("stitching borders");
   const std::size_t stitched = PMP::stitch_borders(mesh);
-  if (stitched > 0) notes.push_back("stitched " + counted(stitched, "pair", "pairs") + " of border edges");
+  note(notes, "stitched", stitched, "pair", "pairs", " of border edges");
   const std::size_t split = PMP::duplicate_non_manifold_vertices(mesh);
-  if (split > 0) notes.push_back("split " + counted(split, "non-manifold point", "non-manifold points"));
+  note(notes, "split", split, "non-manifold point", "non-manifold points");
   drop_degenerate_faces(mesh, notes);
   if (mesh.number_of_faces() == 0) throw InputError(fmt::format("{}: no face is left after repair", name));
   if (options.largest_only)

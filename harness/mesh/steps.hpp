@@ -84,7 +84,7 @@ Surface wrap(const Surface& surface);
 /// face in the direction `up` is removed. `part` receives the completed fraction of the collapses. Throws
 /// InputError if the count cannot be reached.
 Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name,
-                   const std::function<void(double)>& part = {});
+                   const std::function<void(double)>& part);
 
 // Procedural shapes.
 

@@ -3,8 +3,10 @@
 #include <CGAL/subdivision_method_3.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
+#include <utility>
+#include <vector>
 
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
@@ -15,36 +17,22 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 namespace pelage {
 namespace {
 
-// A stop condition on the number of faces; CGAL 5.5 provides only conditions on the number of edges. An edge
-// collapse removes two faces, or one face at a border, so the mesh has `faces` or `faces` + 1 faces at the
-// end.
-struct Few_enough_faces {
-  std::size_t faces, before;
-  const std::function<void(double)>* part;
-  template <class Cost, class Profile>
-  bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const {
-    const std::size_t now = profile.surface_mesh().number_of_faces();
-    if (*part && now % 4096 < 2) (*part)(double(before - now) / double(before - faces));
-    return now <= faces + 1;
-  }
-};
-
 // Removes the lowest face that does not touch a border; `up` is the direction from low to high. Removing a
 // face at a border could make the mesh non-manifold.
 void drop_lowest_face(Polyhedron& mesh, glm::dvec3 up) {
-  Polyhedron::Face_index lowest;
-  double least = std::numeric_limits<double>::max();
+  std::vector<std::pair<double, Polyhedron::Face_index>> inner;  // height and face
   for (const auto f : mesh.faces()) {
-    double height = 0;
-    bool inner = true;
-    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+    const auto points = CGAL::vertices_around_face(mesh.halfedge(f), mesh);
+    if (std::any_of(points.begin(), points.end(), [&](auto v) { return mesh.is_border(v); })) continue;
+    auto& [height, face] = inner.emplace_back(0.0, f);
+    for (const auto v : points) {
       const auto& p = mesh.point(v);
       height += glm::dot(up, glm::dvec3(p.x(), p.y(), p.z()));
-      inner = inner && !mesh.is_border(v);
     }
-    if (inner && height < least) least = height, lowest = f;
   }
-  if (lowest.is_valid()) CGAL::Euler::remove_face(mesh.halfedge(lowest), mesh);
+  if (inner.empty()) return;
+  const auto lowest = std::ranges::min_element(inner, {}, [](const auto& one) { return one.first; });
+  CGAL::Euler::remove_face(mesh.halfedge(lowest->second), mesh);
 }
 
 }  // namespace
@@ -61,8 +49,15 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
                                 surface.triangle.size(), mesh.number_of_faces(), rounds));
 
   const auto before = mesh.number_of_faces();
-  SMS::edge_collapse(mesh, Few_enough_faces{faces, before, &part},
-                     CGAL::parameters::filter(SMS::Bounded_normal_change_filter<>()));
+  // CGAL 5.5 provides only stop conditions on the number of edges. An edge collapse removes two faces, or one
+  // face at a border, so the mesh has `faces` or `faces` + 1 faces at the end.
+  const auto few_enough = [&](const auto&, const auto& profile, std::size_t, std::size_t) {
+    const std::size_t now = profile.surface_mesh().number_of_faces();
+    if (now <= faces + 1) return true;
+    part(double(before - now) / double(before - faces));
+    return false;
+  };
+  SMS::edge_collapse(mesh, few_enough, CGAL::parameters::filter(SMS::Bounded_normal_change_filter<>()));
   mesh.collect_garbage();
   if (mesh.number_of_faces() < before)
     notes.push_back(fmt::format("collapsed edges from {} faces to {}", before, mesh.number_of_faces()));

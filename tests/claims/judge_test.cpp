@@ -44,6 +44,7 @@ TEST(Judge, NamesTheCasesThatAreLeftOut) {
   EXPECT_EQ(two.verdict, Verdict::untestable);
   EXPECT_EQ(two.reason, "1 of the 2 effects that decide the claim are measured");
   EXPECT_FALSE(two.value.has_value());
+  EXPECT_EQ(two.processes, 0u);
   std::vector<FoundRow> twice = {two_rows()[0], two_rows()[1], two_rows()[1]};
   twice.back().row.case_name = "again";
   EXPECT_EQ(judged(twice, ratio, "{ at_most = 4 }").notes.at(0),
@@ -86,6 +87,10 @@ TEST(Judge, RefusesTooManySeparateDecisions) {
       judged(rows, "name = \"level\"", "{ at_most = 20 }").reason,
       "201 effects are too many for separate decisions (at most 200); narrow `where`, or combine the effects");
   EXPECT_EQ(judged(rows, "name = \"level\", combine = \"mean\"", "{ at_most = 20 }").verdict, Verdict::holds);
+  rows.pop_back();
+  for (FoundRow& one : rows) one.row.metrics["masses"] = {10, "masses"};  // is drawn in less time
+  const std::string masses = "name = \"level\", quantity = \"metric\", metric = \"masses\"";
+  EXPECT_EQ(judged(rows, masses, "{ at_most = 20 }").effects, most_effects);
 }
 
 TEST(Judge, JudgesEveryDeviceAlone) {

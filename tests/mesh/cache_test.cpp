@@ -59,6 +59,8 @@ TEST(Cache, entries_have_a_title_and_a_checksum) {
   EXPECT_FALSE(unpacked<std::uint32_t>(bytes, "b", two));
   EXPECT_FALSE(unpacked<std::uint32_t>(bytes, "a", one));
   EXPECT_FALSE(unpacked<std::uint32_t>(packed("a", one, seven), "a", two));
+  const std::uint64_t huge = std::uint64_t(1) << 60;  // read as the length of a text
+  EXPECT_FALSE(unpacked<std::string>(packed("a", one, huge), "a", one));
 }
 
 TEST(Cache, a_damaged_file_is_made_again_bit_for_bit) {

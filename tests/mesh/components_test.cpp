@@ -61,6 +61,7 @@ TEST(Components, OfAFileEachGetsAChart) {
   test::expect_has(said, ": making a coarse version, component 4 of 4, ");
   const Topology t = topology(*mesh);
   EXPECT_EQ(t.components, 4u);
+  EXPECT_EQ(t.genus, 0);
   EXPECT_EQ(mesh->triangle.size(), 25u);
   EXPECT_TRUE(t.manifold());
   const UvQuality q = uv_quality(*mesh);
@@ -103,6 +104,11 @@ TEST(Components, ThatAreOpenAndSmallAreDropped) {
       Shapes().octahedron({0, 0, 0}, 1).triangle({0, 0, 4}, 0.1f).octahedron({3, 0, 0}, 0.01f).mesh();
   EXPECT_EQ(topology(*mesh).components, 2u);  // closed components are kept even if they are small
   EXPECT_EQ(std::ranges::count(mesh->notes, "kept 2 of 3 components; the others are open and small"), 1);
+}
+
+TEST(Components, MayShareAPoint) {
+  const auto mesh = Shapes().triangle({0, 0, 0}, 1).triangle({1, 0, 0}, 1).mesh();
+  EXPECT_EQ(std::ranges::count(mesh->notes, "split 1 point shared by faces of inconsistent orientation"), 1);
 }
 
 TEST(Components, AreTurnedOutwardsEachForItself) {

@@ -75,7 +75,8 @@ TEST(Quality, knows_overlaps_and_faces_turned_over) {
   EXPECT_NEAR(q.flipped, 0.5, 1e-6);
   EXPECT_NEAR(q.overlapping, 1.0, 1e-9);
   EXPECT_NEAR(q.covered, 0.5, 0.01);
-  EXPECT_EQ(uv_quality(flat(std::vector<std::array<glm::vec2, 3>>(256, {o, x, xy})), 9).overlapping, 1.0);
+  EXPECT_EQ(uv_quality(flat(std::vector<std::array<glm::vec2, 3>>(256, {o, x, xy})), 1).overlapping, 1.0);
+  EXPECT_EQ(uv_quality(flat({{o, y, glm::vec2(0.5f)}}), 9).flipped, 1.0);
 }
 
 TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
@@ -110,6 +111,7 @@ TEST(Quality, area_ratio_of_a_map_that_squeezes_one_half) {
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_NEAR(q.area_low, 0.25 / 0.625, 1e-6);
   EXPECT_NEAR(q.area_high, 1 / 0.625, 1e-6);
+  EXPECT_EQ(q.area_median, q.area_low);  // that of exactly half the area
   EXPECT_EQ(q.area_5, q.area_low);
   EXPECT_EQ(q.area_95, q.area_high);
 }

@@ -79,7 +79,7 @@ TEST_F(TextureCache, WhatWasNotUsedForLongestGoesFirst) {
   fs::last_write_time(old, now - std::chrono::hours(2));
   fs::last_write_time(used, now - std::chrono::hours(3));
   ASSERT_TRUE(read_cache_file(used));
-  trim_cache(folder_.path, 250);
+  trim_cache(folder_.path, 200);
   EXPECT_FALSE(fs::exists(old));
   EXPECT_TRUE(fs::exists(used));
   EXPECT_TRUE(fs::exists(fresh_one));
