@@ -138,8 +138,7 @@ TEST(WritePly, what_is_written_is_a_mesh_with_its_map) {
 TEST(WritePly, a_place_that_cannot_be_written_is_named) {
   const test::Folder folder;
   const std::string file = (folder.path / "none" / "a.ply").string();
-  const std::string said = test::refusal([&] { write_ply(file, Mesh{}); });
-  EXPECT_EQ(said, file + ": cannot be written: No such file or directory");
+  test::expect_has(test::refusal([&] { write_ply(file, Mesh{}); }), file + ": cannot be written");
 }
 
 /// Returns the quality of a UV map of `faces` triangles side by side. The first `flipped` triangles are
