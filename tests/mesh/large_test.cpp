@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/hash.hpp"
 #include "harness/isolated/isolated.hpp"
 #include "harness/mesh/laplace.hpp"
 #include "harness/mesh/mesh.hpp"
@@ -100,8 +101,7 @@ TEST(Flatten, BeginsWithTheHarmonicMapOntoACircle) {
   const glm::dvec2 wanted[] = {{radius, 0.0}, {x, y}, {x, -y}, {(radius + x) / 2, 0.0}};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(glm::distance(flat.uv[i], wanted[i]), 1e-12);
   const FlatDisk rigid = flatten(surface, disk, "triangle", {}, 1);
-  EXPECT_TRUE(rigid.rigid);
-  EXPECT_LT(glm::length(rigid.uv[0]), 1e-12);
+  EXPECT_TRUE(rigid.rigid && glm::length(rigid.uv[0]) < 1e-12);
 }
 
 // The surface is three quarters of a cylinder, which can be flattened without stretch.
@@ -128,6 +128,7 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   const FlatDisk flat = flatten(surface, disk, "roll", [&](double part) { told.push_back(part); });
   EXPECT_TRUE(flat.rigid);
   EXPECT_EQ(flat.flipped, 0u);
+  if (bits_of_cgal) EXPECT_EQ(Hash().values(flat.uv).hex(), "e5ce79b2ea7017d3");
   for (const auto& t : disk.triangle)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t p = t[k], q = t[(k + 1) % 3];
