@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
+#include <tuple>
 
 #include "harness/mesh/sides.hpp"
 #include "harness/parallel.hpp"
@@ -36,19 +36,19 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
   for_each_index(std::size_t((side + rows - 1) / rows), [&](std::size_t band) {
     const int begin = int(band) * rows, end = std::min(side, begin + rows);
     for (const glm::uvec3& t : mesh.triangle) {
-      const auto texel_of = [&](std::uint32_t v) { return glm::dvec2(mesh.uv[v]) * double(side) - 0.5; };
-      const glm::dvec2 a = texel_of(t.x), b = texel_of(t.y), c = texel_of(t.z);
-      const auto [low, high] = std::minmax({a.y, b.y, c.y});
+      glm::dvec2 p[3];
+      for (int k = 0; k < 3; ++k) p[k] = glm::dvec2(mesh.uv[t[k]]) * double(side) - 0.5;
+      const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
       const int last = std::min(end, int(std::ceil(high)));
       for (int y = std::max(begin, int(std::ceil(low))); y < last; ++y) {
         double left = HUGE_VAL, right = -HUGE_VAL;
-        for (const auto& [from, to] : {std::pair(a, b), {b, c}, {c, a}}) {
+        for (int k = 0; k < 3; ++k) {
           // The intersection of edge and texel row is computed from the edge's lower end, so that both faces
           // at the edge get the same value.
-          const auto [p, q] =
-              std::ranges::minmax({from, to}, {}, [](glm::dvec2 at) { return std::pair(at.y, at.x); });
-          if (!(p.y <= y && y < q.y)) continue;
-          const double x = p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y);
+          glm::dvec2 a = p[k], b = p[(k + 1) % 3];
+          if (std::tie(a.y, a.x) > std::tie(b.y, b.x)) std::swap(a, b);
+          if (!(a.y <= y && y < b.y)) continue;
+          const double x = a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y);
           left = std::min(left, x), right = std::max(right, x);
         }
         for (int x = std::max(0, int(std::ceil(left))); x < side && x < right; ++x) {
