@@ -128,7 +128,7 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   std::vector<double> told;
   const FlatDisk flat = flatten(surface, disk, "roll", [&](double part) { told.push_back(part); });
   EXPECT_TRUE(flat.rigid && flat.flipped == 0);
-  if (bits_of_cgal) EXPECT_EQ(Hash().values(flat.uv).hex(), "e5ce79b2ea7017d3");
+  EXPECT_TRUE(!bits_of_cgal || Hash().values(flat.uv).hex() == "e5ce79b2ea7017d3");
   for (const auto& t : disk.triangle)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t p = t[k], q = t[(k + 1) % 3];
