@@ -141,7 +141,7 @@ def options():
         for check in row["check"]:
             if check["metric"] == "psnr":
                 psnr[row["variant"], row["axes"]["layers"]] = f"{check['value']:.0f}"
-    times = {name: f"{some[0]['by_fastest']:.2f}" + " (16 layers only)" * (len(some) == 1)
+    times = {name: f"{some[0]['by_fastest']:.2f}" + (f" ({some[0]['layers']:.0f} layers only)" if len(some) == 1 else "")
              for (name,), some in by(table("rivals/rival-options.csv"), "variant").items()}
     # The rows also hold variants that pelage can no longer draw.
     names = tomllib.loads((ROOT / "experiments/rival-options.toml").read_text(encoding="utf-8"))["axes"]["variant"]

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -18,10 +19,12 @@ namespace {
 constexpr double significance = 0.05;
 
 /// Returns how many draws contradict the measurement, because they are inside the region and it is outside,
-/// or vice versa. All effects have equally many draws, so that their p-values increase with this number.
+/// or vice versa. All effects have equally many draws, so that their p-values increase with this number, up
+/// to half of the draws, at which the p-value is 1.
 std::ptrdiff_t contradicting(const Estimate& estimate, const Region& region) {
   const bool inside = region.contains(estimate.value);
-  return std::ranges::count_if(estimate.draws, [&](double draw) { return region.contains(draw) != inside; });
+  const auto against = [&](double draw) { return region.contains(draw) != inside; };
+  return std::min(std::ranges::count_if(estimate.draws, against), std::ssize(estimate.draws) / 2);
 }
 
 }  // namespace

@@ -176,8 +176,7 @@ std::string told(const Row& row) {
   const double milliseconds = median(frame_ms(row));
   std::string text = fmt::format("ok, {:.2f} ms, {:.1f} fps", milliseconds, 1000 / milliseconds);
   if (const auto ratio = row.metrics.find("opengl_ratio"); ratio != row.metrics.end())
-    text += fmt::format(", {:.2f} times OpenGL ({:.2f} to {:.2f})", ratio->second.value,
-                        ratio->second.low.value_or(0), ratio->second.high.value_or(0));
+    text += fmt::format(", {:.2f}{} times OpenGL", ratio->second.value, interval_text(ratio->second));
   return text;
 }
 

@@ -282,9 +282,8 @@ void write_shells(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
 namespace pelage {
 
 void check_dump_path(const std::filesystem::path& path) {
-  if (path.extension() != ".h5" && path.extension() != ".hdf5") {
+  if (path.extension() != ".h5" && path.extension() != ".hdf5")
     throw InputError(fmt::format("{}: the name of a dump must end in .h5 or .hdf5", path.string()));
-  }
   require_place(path);
 }
 

@@ -195,7 +195,9 @@ Case control_case(const Experiment& experiment, const Case& which) {
   Case result = make_case(experiment, axes, std::vector<std::size_t>(axes.size()), {}, which.overrides);
   result.set = which.set;
   // --model sets the key of the case, not an axis.
-  if (which.overrides.contains("model")) result.settings["model"] = which.settings.at("model");
+  if (const auto model = which.settings.find("model");
+      which.overrides.contains("model") && model != which.settings.end())
+    result.settings["model"] = model->second;
   return result;
 }
 

@@ -65,7 +65,7 @@ CpuWatch::CpuWatch() : start_(others_now()) {}
 std::optional<double> CpuWatch::other_share() const {
   const MachineTime now = others_now();
   const double cpus = double(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
-  if (now.total_s - start_.total_s < 0.2 * cpus) return {};
+  if (!(start_.total_s > 0) || now.total_s - start_.total_s < 0.2 * cpus) return {};
   return pelage::other_share(start_, now);
 }
 

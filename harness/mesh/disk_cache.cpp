@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -78,10 +79,11 @@ bool write_cache_file(const std::filesystem::path& file, std::string_view bytes)
   std::string beside = file.string() + ".XXXXXX";
   const int out = ::mkostemp(beside.data(), O_CLOEXEC);
   if (out == -1) return false;
-  std::ofstream stream(beside, std::ios::binary);
-  stream << bytes << std::flush;
-  const bool written = stream && ::fchmod(out, 0644) == 0 && ::fsync(out) == 0;
-  const bool kept = ::close(out) == 0 && written && ::rename(beside.c_str(), file.c_str()) == 0;
+  std::FILE* const stream = ::fdopen(out, "wb");
+  const bool written = stream && std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size() &&
+                       std::fflush(stream) == 0 && ::fchmod(out, 0644) == 0 && ::fsync(out) == 0;
+  const bool kept = (stream ? std::fclose(stream) : ::close(out)) == 0 && written &&
+                    ::rename(beside.c_str(), file.c_str()) == 0;
   if (!kept) ::unlink(beside.c_str());
   return kept;
 }

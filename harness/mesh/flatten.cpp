@@ -282,7 +282,7 @@ Surface with_map(const Surface& surface, const CutPlan& plan, const Disk& disk,
 Surface unfold_file(const Surface& surface, const CutPlan& plan, const std::string& name,
                     const std::function<void(double)>& part) {
   const Disk disk = cut_open(surface, plan);
-  need_cut(disk, name);
+  if (disk.point.size() == surface.point.size()) need_cut(disk, name);
   const FlatDisk flat = flatten(surface, disk, name, part);
   return with_map(surface, plan, disk, flat.uv,
                   flat.rigid ? "as rigidly as possible" : "harmonic on a circle", flat.flipped);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <span>
 #include <unordered_map>
 
 #include "harness/error.hpp"
@@ -174,7 +175,7 @@ std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs:
     std::vector<glm::vec3>& position = frames[std::size_t(frame)];
     for (const std::vector<std::uint32_t>& point : coincident) {
       const glm::dvec3 here = place(points.position[point.front()]);
-      for (const std::uint32_t other : point)
+      for (const std::uint32_t other : std::span(point).subspan(1))
         if (const glm::dvec3 there = place(points.position[other]); glm::distance(here, there) > together)
           throw InputError(fmt::format(
               "mesh.frames: {}: the points {} and {} coincide in the first frame and part here; give them different positions in the first frame",

@@ -20,7 +20,7 @@ bool read_by_cgal(const std::string& bytes, std::string_view format, Soup& soup)
   const bool good = format == "obj"   ? CGAL::IO::read_OBJ(in, points, polygons, options)
                     : format == "off" ? CGAL::IO::read_OFF(in, points, polygons, options)
                     : format == "ply" ? CGAL::IO::read_PLY(in, points, polygons, options)
-                                      : CGAL::IO::read_STL(in, points, polygons, options);
+                                      : format == "stl" && CGAL::IO::read_STL(in, points, polygons, options);
   soup.point.reserve(points.size());
   for (const Point& p : points) soup.point.emplace_back(p.x(), p.y(), p.z());
   soup.polygon.reserve(polygons.size());

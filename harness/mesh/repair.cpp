@@ -155,6 +155,8 @@ Surface repair(const Soup& soup, const RepairOptions& options, const std::string
     keep_largest_piece(mesh, notes);
   else
     drop_scraps(mesh, notes, name);
+  // An area of coordinates beyond 1e150 is no number, and no component is then large enough to be kept.
+  if (mesh.number_of_faces() == 0) throw InputError(fmt::format("{}: no face is left after repair", name));
   stages.begin("filling holes");
   fill_holes(mesh, options.fill_all, notes);
   PMP::remove_isolated_vertices(mesh);

@@ -15,6 +15,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "harness/error.hpp"
@@ -318,10 +319,12 @@ bool has_area(const std::vector<Surface::Corners>& uv) {
 Surface weld(const Soup& soup, const std::string& name) {
   Surface surface;
   std::map<std::tuple<double, double, double>, std::uint32_t> seen;
-  const auto number = [&](const glm::dvec3& p) {
-    const auto [entry, fresh] = seen.try_emplace({p.x, p.y, p.z}, std::uint32_t(surface.point.size()));
-    if (fresh) surface.point.push_back(p);
-    return entry->second;
+  std::vector<std::optional<std::uint32_t>> number(soup.point.size());
+  const auto welded = [&](std::uint32_t i) {
+    const glm::dvec3& p = soup.point[i];
+    if (!number[i]) number[i] = seen.try_emplace({p.x, p.y, p.z}, std::uint32_t(seen.size())).first->second;
+    if (*number[i] == surface.point.size()) surface.point.push_back(p);
+    return *number[i];
   };
   std::size_t dropped = 0;
   for (std::size_t f = 0; f < soup.polygon.size(); ++f) {
@@ -333,7 +336,7 @@ Surface weld(const Soup& soup, const std::string& name) {
         ++dropped;
         continue;
       }
-      surface.triangle.push_back({number(a), number(b), number(c)});
+      surface.triangle.push_back({welded(polygon[0]), welded(polygon[k]), welded(polygon[k + 1])});
       surface.uv.push_back({soup.uv[f][0], soup.uv[f][k], soup.uv[f][k + 1]});
     }
   }

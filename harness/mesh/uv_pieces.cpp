@@ -76,7 +76,7 @@ void add_groups(const Neighbours& next, const std::vector<char>& mark, char whic
   Groups groups(mark.size());
   for (std::uint32_t f = 0; f < mark.size(); ++f)
     for (const std::uint32_t g : next[f])
-      if (g != no_face && mark[g] == mark[f]) groups.join(f, g);
+      if (mark[f] == which && g != no_face && mark[g] == which) groups.join(f, g);
   std::map<std::uint32_t, Faces> parts;  // in the order of their first triangles
   for (std::uint32_t f = 0; f < mark.size(); ++f)
     if (mark[f] == which) parts[groups.find(f)].push_back(f);

@@ -82,9 +82,8 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
                      : std::is_same_v<Scalar, std::uint32_t> ? H5T_NATIVE_UINT32
                                                              : H5T_NATIVE_UINT8;
   const std::string what = fmt::format("{}: dataset {}", name_, name);
-  if (std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) != count) {
+  if (std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) != count)
     throw InputError(fmt::format("{}: the shape does not match the number of values, {}", what, count));
-  }
   std::vector<hsize_t> size(shape.begin(), shape.end());
   const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, what);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, what);
@@ -106,9 +105,8 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
   }
   const Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose,
                        what);
-  if (count > 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
+  if (count > 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
     throw InputError(fmt::format("{}: cannot be written; is the disk full?", what));
-  }
   write_text(dataset, "units", units);
   write_text(dataset, "description", description);
 }

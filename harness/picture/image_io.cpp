@@ -68,9 +68,8 @@ std::uint8_t to_byte(float value) {
 std::vector<std::uint8_t> rgb_bytes(const Picture& picture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(picture.pixel.size() * 3);
-  for (const glm::vec4& pixel : picture.pixel) {
+  for (const glm::vec4& pixel : picture.pixel)
     for (int channel = 0; channel < 3; ++channel) bytes.push_back(to_byte(pixel[channel]));
-  }
   return bytes;
 }
 
@@ -138,9 +137,8 @@ std::vector<std::vector<Share>> shares_of(int from, int to) {
 
 void check_picture_path(const fs::path& path) {
   const std::string kind = extension(path);
-  if (kind != ".png" && kind != ".exr" && kind != ".tif" && kind != ".tiff") {
+  if (kind != ".png" && kind != ".exr" && kind != ".tif" && kind != ".tiff")
     throw InputError(fmt::format("{}: a picture is written as .png, .exr or .tif", path.string()));
-  }
   require_place(path);
   if (kind != ".png") image_module();
 }

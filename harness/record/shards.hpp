@@ -30,7 +30,7 @@ struct Gap {
 /// device of one host, or of several hosts with equally named devices that each have only some of the shards.
 struct RunState {
   std::string experiment;
-  std::string where;  ///< DEVICE@HOST, or "DEVICE@" and several hosts separated by "+"
+  std::string where;  ///< stem of the journal, DEVICE@HOST or DEVICE; of several, joined by "+"
   std::map<std::string, std::string> overrides;
   std::set<std::string> done;    ///< cases with a row whose status is not error
   std::set<std::string> failed;  ///< cases that have only rows with the status error

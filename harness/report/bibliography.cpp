@@ -117,10 +117,10 @@ std::string provenance_of(const std::vector<FoundRow>& rows) {
       for (const auto& [key, value] : member->row.provenance.items())
         if (!of_a_row.contains(key))
           values[key].insert(value.is_string() ? value.get<std::string>() : value.dump());
-      times.insert(provenance_text(member->row, "utc"));
+      if (const std::string utc = provenance_text(member->row, "utc"); !utc.empty()) times.insert(utc);
     }
-    text += fmt::format("  from {} to {}\n  device: {}\n", *times.begin(), *times.rbegin(),
-                        members.front()->row.device);
+    if (!times.empty()) text += fmt::format("  from {} to {}\n", *times.begin(), *times.rbegin());
+    text += fmt::format("  device: {}\n", members.front()->row.device);
     for (const auto& [key, set] : values) {
       text += fmt::format("  {}:", key);
       for (const std::string& value : set) text += fmt::format(" {}{}", value, set.size() > 1 ? ";" : "");

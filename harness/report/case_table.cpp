@@ -122,7 +122,7 @@ std::map<std::string, std::string> short_model_names(const std::vector<Cell>& ce
 std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells) {
   std::map<std::string, double> counts;
   for (const Cell& c : cells)
-    if (const Metric* metric = c.metric("triangles")) {
+    if (const Metric* metric = c.metric("triangles"); metric && metric->value > 0) {
       double& count = counts[c.axis("model")];
       count = std::max(count, metric->value);
     }
@@ -266,7 +266,8 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
   if (several_hosts) text += ", host " + any.host;
   for (const std::string& axis : axes_of(cells)) {
     const std::string value = any.axis(axis);
-    if ((axis == "reading" && value == "default") || !shared([&](const Cell& c) { return c.axis(axis); }))
+    if (value.empty() || (axis == "reading" && value == "default") ||
+        !shared([&](const Cell& c) { return c.axis(axis); }))
       continue;
     text += ", ";
     text += with_value(axis_column(axis), value);

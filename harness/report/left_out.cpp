@@ -16,7 +16,8 @@ constexpr std::size_t longest_reason = 300;
 std::string first_line(const std::string& text) {
   std::string line = text.substr(0, text.find('\n'));
   std::size_t end = std::min(line.size(), longest_reason);
-  while ((static_cast<unsigned char>(line[end]) & 0xc0) == 0x80) --end;  // inside a UTF-8 character
+  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
+    --end;  // inside a UTF-8 character
   line.resize(end);
   if (line.size() < text.size()) line += " ...";
   return line;

@@ -118,8 +118,8 @@ std::vector<Value> solver_line(const Row& row, const std::string& baseline, cons
           text_value(baseline),
           positive(theirs == row.samples.end() ? 0 : median(theirs->second.wall_ms)),
           positive(ratio.value),
-          positive(ratio.low.value_or(ratio.value)),
-          positive(ratio.high.value_or(ratio.value)),
+          number_value(ratio.low),
+          number_value(ratio.high),
           positive(shared == row.metrics.end() ? 0 : shared->second.value)};
 }
 

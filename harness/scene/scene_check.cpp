@@ -28,9 +28,8 @@ constexpr std::size_t longest_wet_text = 80;  // characters of wetness.text
 /// Returns true if a value is outside the range of its key. Floats are compared with the bounds in single
 /// precision, because the float nearest to 0.99 is greater than the double 0.99.
 bool outside(const Key& key, double value) {
-  if (std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot)) {
+  if (std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot))
     return value < key.least || value > key.most;
-  }
   if (std::abs(value) > std::numeric_limits<float>::max()) return true;
   return static_cast<float>(value) < static_cast<float>(key.least) ||
          static_cast<float>(value) > static_cast<float>(key.most);
@@ -67,9 +66,8 @@ std::string complaint_now(const Key& key) {
 
 void check_keys(const std::vector<Key>& keys, const std::string& source, const std::string& prefix) {
   for (const Key& key : keys) {
-    if (const std::string wrong = complaint_now(key); !wrong.empty()) {
+    if (const std::string wrong = complaint_now(key); !wrong.empty())
       throw InputError(fmt::format("{}: {}{}: {}", source, prefix, key.name, wrong));
-    }
   }
 }
 
@@ -216,12 +214,10 @@ void check_time(const DynamicsScene& dynamics, const std::string& source) {
 void check_camera(const CameraScene& camera, const std::string& source) {
   const glm::dvec3 view =
       camera.framed ? glm::dvec3(camera.direction) : glm::dvec3(camera.eye) - glm::dvec3(camera.target);
-  if (!(glm::length(view) > 1e-6)) {
+  if (!(glm::length(view) > 1e-6))
     throw InputError(fmt::format("{}: camera.eye: equals camera.target; give two different points", source));
-  }
-  if (!(glm::length(glm::cross(glm::normalize(view), glm::normalize(glm::dvec3(camera.up)))) > 1e-4)) {
+  if (!(glm::length(glm::cross(glm::normalize(view), glm::normalize(glm::dvec3(camera.up)))) > 1e-4))
     throw InputError(fmt::format("{}: camera.up: is parallel to the view; give another direction", source));
-  }
 }
 
 void check_sizes(const Scene& scene, const std::string& source) {
@@ -251,9 +247,8 @@ std::string complaint(const Key& key, const std::vector<double>& values) {
     if (!std::isfinite(value))
       return fmt::format("{} is not a finite number; give {}", value, describe_range(key));
     if (outside(key, value)) return fmt::format("{} is out of range; give {}", value, describe_range(key));
-    if (key.power_of_two && !std::has_single_bit(static_cast<unsigned>(value))) {
+    if (key.power_of_two && !std::has_single_bit(static_cast<unsigned>(value)))
       return fmt::format("{} is not a power of two; give {}", value, describe_range(key));
-    }
     largest = std::max(largest, std::abs(value));
   }
   if (key.unit == "direction" && largest < 1e-6)

@@ -108,9 +108,8 @@ std::vector<double> vector(const Source& source, const toml::node& node, const K
                            std::string_view name, std::size_t size) {
   const auto* array = node.as_array();
   if (!array) refuse(source, &node, name, fmt::format("is {}; give {}", kind(node), describe_range(key)));
-  if (array->size() != size) {
+  if (array->size() != size)
     refuse(source, &node, name, fmt::format("has {} entries; give {}", array->size(), describe_range(key)));
-  }
   std::vector<double> values;
   for (const toml::node& entry : *array) values.push_back(number_from(source, entry, key, name));
   return values;
@@ -306,9 +305,8 @@ Scene read_scene(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text(most_bytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad() || !(file.eof() || file.good())) {
+  if (file.bad() || !(file.eof() || file.good()))
     throw InputError(fmt::format("{}: cannot be read", path.string()));
-  }
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > most_bytes) {
     throw InputError(fmt::format("{}: is larger than a scene file may be; give at most {} bytes",

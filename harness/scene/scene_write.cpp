@@ -66,9 +66,8 @@ std::string write_list(const KeyList& list) {
   std::string out;
   for (std::size_t i = 0; i < list.size(); ++i) {
     out += fmt::format("\n[[{}]]\n", list.name);
-    for (const Key& key : list.keys(i)) {
+    for (const Key& key : list.keys(i))
       if (!value_text(key).empty()) out += line(key, key.name, "");
-    }
   }
   return out;
 }

@@ -42,9 +42,8 @@ std::vector<Keys> combinations(const Table& table, const std::vector<std::size_t
 std::vector<std::string> labels(const Table& table, const std::vector<std::size_t>& columns,
                                 const Keys& keys) {
   std::vector<std::string> result;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
+  for (std::size_t i = 0; i < columns.size(); ++i)
     result.push_back(with_value(table.columns[columns[i]], keys[i]));
-  }
   return result;
 }
 

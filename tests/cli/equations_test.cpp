@@ -51,9 +51,8 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
   static const std::regex test(R"(TEST(_P|_F)?\(\s*(\w+),\s*(\w+)\))");
   for (const fs::path& file : test::files_below(root / "tests", ".cpp")) {
     const std::string source = text_of(file);
-    for (std::sregex_iterator match(source.begin(), source.end(), test), end; match != end; ++match) {
+    for (std::sregex_iterator match(source.begin(), source.end(), test), end; match != end; ++match)
       tests.insert((*match)[2].str() + "." + (*match)[3].str());
-    }
   }
 
   std::set<Line> table;

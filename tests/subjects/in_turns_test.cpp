@@ -43,6 +43,8 @@ TEST(Baseline, HasTheFirstValueOfNamedAxesAndAllOtherSettings) {
   figures.axes.erase(figures.axes.begin());
   figures.at["reading"]["curled"] = {{"model", "\"pear\""}};
   EXPECT_FALSE(control_case(figures, case_named(figures, "curled-8")).settings.contains("model"));
+  const Case changed = cases_of(figures, {}, {.set = {{"model", "bunny"}}}).front();
+  EXPECT_EQ(control_case(figures, changed).set, changed.set);
 }
 
 /// Frames take 3 ms with curls and 2 ms without. If `bad` is the name of a case, its picture fails the check.

@@ -89,9 +89,8 @@ Picture read(const fs::path& file, const std::string& kind) {
   const bool read = input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data());
   // For a truncated TIFF, read_image() returns true, but geterror() returns an error message.
   const std::string complaint = input->geterror();
-  if (!read || !complaint.empty()) {
+  if (!read || !complaint.empty())
     throw InputError(fmt::format("{}: damaged picture: {}", file.string(), one_line(complaint)));
-  }
 
   Picture picture{spec.width, spec.height, std::vector<glm::vec4>(pixels)};
   const bool grey = channels < 3;
