@@ -93,7 +93,7 @@ void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
   const double largest = *std::max_element(area.begin(), area.end());
   std::vector<std::size_t> kept;
   for (std::size_t n = 0; n < pieces; ++n)
-    if (!open[n] || area[n] >= least * largest) kept.push_back(n);
+    if (!open[n] || !(area[n] < least * largest)) kept.push_back(n);  // also if an area is no number
   if (kept.size() > most_components)
     throw InputError(fmt::format(
         "{}: {} components; at most {} components can have their own chart of the UV map; keep only the largest (mesh.components, --components largest), or join them",
@@ -155,8 +155,6 @@ Surface repair(const Soup& soup, const RepairOptions& options, const std::string
     keep_largest_piece(mesh, notes);
   else
     drop_scraps(mesh, notes, name);
-  // An area of coordinates beyond 1e150 is no number, and no component is then large enough to be kept.
-  if (mesh.number_of_faces() == 0) throw InputError(fmt::format("{}: no face is left after repair", name));
   stages.begin("filling holes");
   fill_holes(mesh, options.fill_all, notes);
   PMP::remove_isolated_vertices(mesh);
