@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/predicate.hpp>
 #include <functional>
 #include <optional>
 
@@ -13,19 +12,11 @@ namespace {
 
 using Test = std::function<bool(const DeviceInfo&)>;
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
-bool contains(std::string_view text, std::string_view part) {
-  return lower(text).find(lower(part)) != std::string::npos;
-}
+using boost::algorithm::icontains;
+using boost::algorithm::iequals;
 
 bool is_platform(const DeviceInfo& info, std::string_view wanted) {
-  return contains(info.platform, wanted) || lower(info.platform_suffix) == lower(wanted);
+  return icontains(info.platform, wanted) || iequals(info.platform_suffix, wanted);
 }
 
 std::vector<std::size_t> matching(const std::vector<DeviceInfo>& all, const Test& wanted) {
@@ -69,8 +60,8 @@ std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo
 // name contains `wanted`. If no device's name contains `wanted`, returns the devices of the platforms whose
 // name contains `wanted` or whose short name is `wanted`.
 std::vector<std::size_t> by_name(const std::vector<DeviceInfo>& all, std::string_view wanted) {
-  const Test tests[] = {[&](const DeviceInfo& info) { return lower(info.name) == lower(wanted); },
-                        [&](const DeviceInfo& info) { return contains(info.name, wanted); },
+  const Test tests[] = {[&](const DeviceInfo& info) { return iequals(info.name, wanted); },
+                        [&](const DeviceInfo& info) { return icontains(info.name, wanted); },
                         [&](const DeviceInfo& info) { return is_platform(info, wanted); }};
   for (const Test& test : tests)
     if (auto found = matching(all, test); !found.empty()) return found;

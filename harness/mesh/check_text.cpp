@@ -16,8 +16,10 @@ void need_point(Words& words, const std::string& name, std::size_t line) {
   for (int i = 0; i < 3; ++i) {
     const std::string_view word = words.next();
     const auto number = read<double>(word);
-    if (!number || !std::isfinite(*number) || std::abs(*number) > 1e30)
-      fail(name, line, fmt::format("found {}, but a vertex needs three finite numbers", shown(word)));
+    if (!number || !(std::abs(*number) <= largest_coordinate))
+      fail(name, line,
+           fmt::format("found {}, but a vertex needs three numbers from {} to {}", shown(word),
+                       -largest_coordinate, largest_coordinate));
   }
 }
 

@@ -258,7 +258,8 @@ FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& na
   return flat;
 }
 
-void need_cut(const Disk& disk, const std::string& name) {
+void need_cut(const Surface& surface, const Disk& disk, const std::string& name) {
+  if (disk.point.size() > surface.point.size()) return;
   const auto sides = directed_sides(disk.triangle);
   const bool closed = std::ranges::all_of(sides, [&](const auto& side) {
     return std::binary_search(sides.begin(), sides.end(), std::pair(side.second, side.first));
@@ -282,7 +283,7 @@ Surface with_map(const Surface& surface, const CutPlan& plan, const Disk& disk,
 Surface unfold_file(const Surface& surface, const CutPlan& plan, const std::string& name,
                     const std::function<void(double)>& part) {
   const Disk disk = cut_open(surface, plan);
-  if (disk.point.size() == surface.point.size()) need_cut(disk, name);
+  need_cut(surface, disk, name);
   const FlatDisk flat = flatten(surface, disk, name, part);
   return with_map(surface, plan, disk, flat.uv,
                   flat.rigid ? "as rigidly as possible" : "harmonic on a circle", flat.flipped);

@@ -93,7 +93,7 @@ void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
   const double largest = *std::max_element(area.begin(), area.end());
   std::vector<std::size_t> kept;
   for (std::size_t n = 0; n < pieces; ++n)
-    if (!open[n] || !(area[n] < least * largest)) kept.push_back(n);  // also if an area is no number
+    if (!open[n] || area[n] >= least * largest) kept.push_back(n);
   if (kept.size() > most_components)
     throw InputError(fmt::format(
         "{}: {} components; at most {} components can have their own chart of the UV map; keep only the largest (mesh.components, --components largest), or join them",

@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <charconv>
 #include <cmath>
 #include <compare>
 #include <cstring>
 #include <fstream>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -34,10 +36,6 @@ bool cgal_reads(std::string_view format) {
 
 bool assimp_reads(std::string_view format) {
   return format == "3ds" || format == "gltf" || format == "glb";
-}
-
-bool finite(const glm::dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 [[noreturn]] void damaged(const std::filesystem::path& file) {
@@ -91,11 +89,8 @@ Indices sort_points(std::vector<glm::dvec3>& point) {
 }  // namespace
 
 std::string ending_of(const std::filesystem::path& file) {
-  std::string text = file.extension().string();
-  if (!text.empty()) text.erase(0, 1);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
+  const std::string text = boost::algorithm::to_lower_copy(file.extension().string());
+  return text.empty() ? text : text.substr(1);
 }
 
 bool has_mesh_ending(const std::filesystem::path& file) {
@@ -127,9 +122,15 @@ void check_soup(const Soup& soup, const std::string& name) {
   if (soup.polygon.size() > most_polygons)
     throw InputError(
         fmt::format("{}: {} faces; at most {} are read", name, soup.polygon.size(), most_polygons));
-  for (std::size_t i = 0; i < soup.point.size(); ++i)
-    if (!finite(soup.point[i]))
-      throw InputError(fmt::format("{}: a coordinate of vertex {} is not finite", name, i));
+  glm::dvec3 low(largest_coordinate), high(-low);
+  for (std::size_t i = 0; i < soup.point.size(); ++i) {
+    low = glm::min(low, soup.point[i]), high = glm::max(high, soup.point[i]);
+    if (!glm::all(glm::lessThanEqual(glm::abs(soup.point[i]), glm::dvec3(largest_coordinate))))
+      throw InputError(fmt::format("{}: the coordinates of vertex {} must be numbers from {} to {}", name, i,
+                                   -largest_coordinate, largest_coordinate));
+  }
+  if (glm::all(glm::lessThan(high - low, glm::dvec3(1 / largest_coordinate))))
+    throw InputError(fmt::format("{}: the surface is smaller than {:g}", name, 1 / largest_coordinate));
   for (std::size_t f = 0; f < soup.polygon.size(); ++f)
     for (const std::uint32_t index : soup.polygon[f])
       if (index >= soup.point.size())

@@ -30,7 +30,11 @@ Soup read_soup(const std::filesystem::path& file, bool with_uv);
 /// the dot.
 Soup parse_soup(std::string bytes, std::string_view format, const std::string& name);
 
-/// Throws InputError if the soup is empty, or contains a number that is not finite or an index out of range.
+/// Largest magnitude of a coordinate in a mesh file. A surface must not be smaller than its reciprocal. Areas
+/// and their squares thus stay in the range of a double.
+inline constexpr double largest_coordinate = 1e30;
+
+/// Throws InputError if the soup is empty, or contains an invalid coordinate or an index out of range.
 void check_soup(const Soup& soup, const std::string& name);
 
 /// Returns the extension of the file in lower case, without the dot.

@@ -95,7 +95,7 @@ MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surf
 
 Surface unfold_model(const Surface& surface, const CutPlan& plan, const std::string& name) {
   const Disk disk = cut_open(surface, plan);
-  if (disk.point.size() == surface.point.size()) need_cut(disk, name);
+  need_cut(surface, disk, name);
   Polyhedron mesh = flat_mesh(surface, disk);
   std::vector<glm::dvec2> map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));
   MapQuality quality = map_quality(map, disk.triangle);

@@ -114,7 +114,7 @@ Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const
 Surface with_map(const Surface& surface, const CutPlan& plan, const Disk& disk,
                  const std::vector<glm::dvec2>& uv, const std::string& method, std::size_t flipped);
 
-/// Throws InputError if `disk` is a closed surface without cuts, which cannot be flattened.
-void need_cut(const Disk& disk, const std::string& name);
+/// Throws InputError if `disk`, cut from `surface`, is closed: it cannot be flattened.
+void need_cut(const Surface& surface, const Disk& disk, const std::string& name);
 
 }  // namespace pelage

@@ -4,7 +4,7 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -29,10 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string extension(const fs::path& path) {
-  std::string name = path.extension().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name;
+  return boost::algorithm::to_lower_copy(path.extension().string());
 }
 
 // Memory for the largest picture: 48 bytes per pixel of 8192 x 8192, and the decoder's own memory.
