@@ -17,6 +17,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <thread>
 #include <utility>
 
 #include "harness/error.hpp"
@@ -28,7 +29,8 @@ namespace {
 // With AddressSanitizer, the child process has no memory limit and keeps stderr, because AddressSanitizer
 // reserves terabytes of address space and writes its reports to stderr. If another thread allocates memory
 // during fork(), GCC 12's AddressSanitizer leaves its allocator locked in the child process. The child
-// process then waits until limits.time is over. cl::BuildAhead therefore has no running thread at that time.
+// process then waits until limits.time is over. cl::BuildAhead therefore has no running thread at that time,
+// and isolated() lets PoCL's threads free the memory of their last launch first.
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
@@ -140,6 +142,7 @@ std::string isolated(const std::string& name, const Limits& limits,
                      const std::function<std::string(const Say&)>& work, const Say& progress) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("pipe: {}", std::strerror(errno)));
+  if (sanitized) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
   if (child == 0) {
