@@ -2,7 +2,7 @@
 # paths relative to its own folder (harness/data_folder.hpp), so that the installation may be moved.
 install(TARGETS pelage)
 install(TARGETS pelage_image_module DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelage)
-install(DIRECTORY kernels shaders experiments examples DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage
+install(DIRECTORY kernels shaders experiments examples readings DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage
         USE_SOURCE_PERMISSIONS)  # experiments/slurm contains executable scripts
 install(DIRECTORY harness/report/plots DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage
         PATTERN __pycache__ EXCLUDE)

@@ -1,5 +1,5 @@
-// Finds the files that pelage reads at run time: kernels, shaders, experiments, models.toml, and the Python
-// programs that draw plots.
+// Finds the files that pelage reads at run time: kernels, shaders, experiments, models.toml, readings, and
+// the Python programs that draw plots.
 #pragma once
 #include <cstdlib>
 #include <filesystem>

@@ -1,10 +1,9 @@
 // Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/shells.md, section 6). S = Silva et al.
 // 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al. 2010, Real-Time Rendering of Wet Fur.
 // The host puts the constants, shaders/layers.glsl and shaders/light.glsl before this file.
-#define CLUMP_RELATIVE 0
-#define CLUMP_LITERAL 1
-#define CLUMP_DISTANCE 2
-#define CLUMP_CONVERGE 3
+#define CLUMP_LITERAL 0
+#define CLUMP_DISTANCE 1
+#define CLUMP_CONVERGE 2
 #define TANGENT_PAPER 0
 #define TANGENT_DRAWN 1
 #define TANGENT_STRAND 2
@@ -106,7 +105,7 @@ vec2 unsoaked_shift(vec4 clump, vec2 from, float rate) {
 #elif CLUMP_READING == CLUMP_DISTANCE
   return rate * clump.w * clump.z * inversesqrt(max(dot(from, from), 1e-30)) * from;
 #else
-  return rate * clump.w * (CLUMP_READING == CLUMP_LITERAL ? clump.z : CLUMP_GAIN) * from;
+  return rate * clump.w * clump.z * CLUMP_GAIN * from;
 #endif
 }
 
@@ -146,7 +145,7 @@ float consistency(vec2 q, float rate, float per_footprint) {
 #elif CLUMP_READING == CLUMP_DISTANCE
     float share = rate * clump.w * clump.z * inversesqrt(max(dot(from, from), 1e-30));
 #else
-    float shift = rate * clump.w * (CLUMP_READING == CLUMP_LITERAL ? clump.z : CLUMP_GAIN);
+    float shift = rate * clump.w * clump.z * CLUMP_GAIN;
     float share = shift / (1.0 + shift);
 #endif
     lost += weight * mix(unmoved, in_pixels(q - share * from - uv, per_footprint), ring);
@@ -180,7 +179,7 @@ void main() {
 #elif CLUMP_READING == CLUMP_DISTANCE
   pull = rho * here.z * from * inversesqrt(max(dot(from, from), 1e-30));
 #else
-  float factor = rho * (CLUMP_READING == CLUMP_LITERAL ? here.z : CLUMP_GAIN);
+  float factor = rho * here.z * CLUMP_GAIN;
   pull = factor * from;
   drawn = look.y / (1.0 + (look.x - look.y) * factor);
 #endif

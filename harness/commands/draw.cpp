@@ -29,7 +29,7 @@ struct RenderOptions {
 int render(const RenderOptions& options) {
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
-  const Scene resolved = resolve_scene(options.scene);
+  const Scene resolved = resolve_scene(options.scene, options.renderer.pipeline);
   const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
   // The device is opened before the mesh is prepared. Otherwise the user would learn of an invalid device
   // name only after the preparation, which may take minutes.
@@ -70,12 +70,12 @@ struct AnimateOptions {
   bool resume = false;
 };
 
-Scene animated_scene(const SceneOptions& options) {
-  for (const std::string& assignment : options.set)
+Scene animated_scene(const AnimateOptions& options) {
+  for (const std::string& assignment : options.scene.set)
     if (assignment.starts_with("dynamics.time=") || assignment.starts_with("dynamics.time "))
       throw InputError(fmt::format("--set {}: every frame has its own time; give --from and --to or --frames",
                                    assignment));
-  return resolve_scene(options);
+  return resolve_scene(options.scene, options.renderer.pipeline);
 }
 
 /// Returns the hash of all files in the folder of the kernels.
@@ -147,7 +147,7 @@ void write_videos(const AnimateOptions& options, const FrameTimes& times) {
 }
 
 int animate(const AnimateOptions& options) {
-  const Scene scene = animated_scene(options.scene);
+  const Scene scene = animated_scene(options);
   const FrameTimes times = frame_times(options.times, scene);
   if (!options.gif.empty()) check_video("--gif", options.gif, options.output);
   if (!options.mp4.empty()) check_video("--mp4", options.mp4, options.output);

@@ -60,6 +60,7 @@ Overrides RunOptions::overrides() const {
             fmt::format("--axis '{}' has an empty value; write for instance layers=16,64", text));
   }
   result.model = model;
+  result.reading = reading;
   return result;
 }
 
@@ -81,6 +82,7 @@ void declare_cases(CLI::App& command, RunOptions& options) {
   add_value(command, "--model", options.model, "NAME|FILE",
             "Model or mesh file that replaces the experiment's models");
   add_up_option(command, options.up);
+  add_reading_option(command, options.reading);
   add_value(command, "--set", options.set, "key=value", "Override a key of the scene")->take_all();
   add_value(command, "--axis", options.axis, "key=a,b",
             "Use these values of an axis instead of the experiment's values")

@@ -13,8 +13,8 @@ namespace pelage {
 
 struct RunOptions {
   std::vector<std::string> experiments, set, axis;
-  std::string preset = "quick", device, model, up, filter, shard, tuning = "defaults", mapping, output,
-              resume, balance, host, quiet_machine;
+  std::string preset = "quick", device, model, up, reading, filter, shard, tuning = "defaults", mapping,
+              output, resume, balance, host, quiet_machine;
   double budget_s = std::numeric_limits<double>::infinity();
   int repeat = 1;
   /// Index of this process among the processes that --repeat starts, from 0; -1 if the user started this
@@ -33,8 +33,9 @@ struct RunOptions {
 /// Declares all options of pelage run.
 void declare(CLI::App& command, RunOptions& options);
 
-/// Declares the options that select or change the cases of an experiment: --preset, --model, --set, --axis,
-/// --filter.
+/// Declares the options that select or change the cases of an experiment: --preset, --model, --reading,
+/// --set,
+/// --axis, --filter.
 void declare_cases(CLI::App& command, RunOptions& options);
 
 /// Returns the options with argv. Throws InputError for options that contradict each other, are malformed, or

@@ -15,6 +15,7 @@
 #include "harness/nearest_name.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/pipelines.hpp"
+#include "harness/scene/readings.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
@@ -77,6 +78,15 @@ void add_up_option(CLI::App& command, std::string& up) {
       ->type_name("AXIS");
 }
 
+void add_reading_option(CLI::App& command, std::string& reading) {
+  command
+      .add_option(
+          "--reading", reading,
+          "paper: the scene's keys as its paper prints them, with the fewest repairs (readings/*.toml); pelage: the keys as the scene and the defaults have them")
+      ->check(CLI::IsMember(std::vector<std::string>(reading_names.begin(), reading_names.end())))
+      ->type_name("NAME");
+}
+
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
   add_value(
       command, "scene", options.file, "SCENE",
@@ -89,16 +99,18 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
   add_value(command, "--model", options.model, "MODEL",
             "Model: a name in experiments/models.toml, or a mesh file");
   add_up_option(command, options.up);
+  add_reading_option(command, options.reading);
   if (!draws) return;
   add_value(command, "--size", options.size, "WxH", "Size of the picture in pixels");
 }
 
-Scene resolve_scene(const SceneOptions& options) {
+Scene resolve_scene(const SceneOptions& options, std::string_view pipeline) {
   Scene scene;
   if (!options.case_name.empty())
     scene = case_scene(options.file, options.case_name);
   else if (!options.file.empty())
     scene = read_scene(scene_file(options.file));
+  if (!options.reading.empty()) apply_reading(scene, options.reading, pipeline);
   if (!options.model.empty()) apply_set(scene, "model=" + options.model, "--model");
   if (!options.up.empty()) apply_set(scene, "mesh.up=" + options.up, "--up");
   for (const std::string& assignment : options.set) apply_set(scene, assignment);

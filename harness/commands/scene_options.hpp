@@ -16,20 +16,25 @@ struct SceneOptions {
   std::string file;
   std::string case_name;  ///< case of the experiment `file`, whose scene is used; empty: `file` is a scene
   std::string model;      ///< name of a model, or mesh file; empty: the model of the scene file
+  std::string reading;    ///< reading of the paper: "paper", or "pelage" or "" for the scene as it is
   std::string up;         ///< value for the scene key mesh.up; empty: the value in the scene file
   std::string size;  ///< picture size "WxH" in pixels; empty: image.width and image.height of the scene file
   std::vector<std::string> set;  ///< overrides, key=value
 };
 
-/// Adds the positional argument SCENE and the options --case, --set, --model and --up to the command. If
-/// `draws` is true, also adds the option --size.
+/// Adds the positional argument SCENE and the options --case, --set, --model, --up and --reading to the
+/// command. If `draws` is true, also adds the option --size.
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws);
 
 /// Adds the option --up, which sets the scene key mesh.up.
 void add_up_option(CLI::App& command, std::string& up);
 
-/// Returns the scene with all overrides. Throws InputError for unknown keys and values out of range.
-Scene resolve_scene(const SceneOptions& options);
+/// Adds the option --reading.
+void add_reading_option(CLI::App& command, std::string& reading);
+
+/// Returns the scene with all overrides. pipeline: the option --pipeline; the reading of the paper depends on
+/// it. Throws InputError for unknown keys and values out of range.
+Scene resolve_scene(const SceneOptions& options, std::string_view pipeline = {});
 
 /// Returns the scene's mesh. Prints the steps of its preparation and the defects of its UV map to stderr.
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene);

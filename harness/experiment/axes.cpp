@@ -7,6 +7,7 @@
 
 #include "harness/base/numbers.hpp"
 #include "harness/error.hpp"
+#include "harness/scene/readings.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -32,10 +33,16 @@ std::vector<std::string> varied_by(const std::string& axis) {
 
 /// Checks an axis whose values are names of tables: "reading" or a name of the author's choice.
 void check_named(const Experiment& experiment, const Axis& axis) {
-  if (tables_of(experiment, axis.key).empty()) {
+  const bool is_reading = axis.key == "reading";
+  const auto shipped = [](const std::string& value) {
+    return std::ranges::find(reading_names, value) != reading_names.end();
+  };
+  if (tables_of(experiment, axis.key).empty() && !(is_reading && std::ranges::all_of(axis.values, shipped))) {
     const std::string needed = fmt::format(
         "the file needs a table [{0}.VALUE] with scene keys for at least one value of the axis", axis.key);
-    if (axis.key == "reading") throw InputError(fmt::format("{}: axis reading: {}", experiment.name, needed));
+    if (is_reading)
+      throw InputError(fmt::format("{}: axis reading: for values other than paper and pelage, {}",
+                                   experiment.name, needed));
     try {  // apply_set() throws, because the key is unknown; its message suggests the most similar key
       Scene scene;
       apply_set(scene, axis.key + "=0", fmt::format("{}: axis {}", experiment.name, axis.key));
@@ -44,6 +51,7 @@ void check_named(const Experiment& experiment, const Axis& axis) {
     }
   }
   std::set<std::string> known = axis_values(experiment, axis.key);
+  if (is_reading) known.insert(reading_names.begin(), reading_names.end());
   for (const auto& [value, settings] : tables_of(experiment, axis.key)) known.insert(value);
   for (const std::string& value : axis.values)
     if (!known.contains(value))

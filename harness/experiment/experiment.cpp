@@ -13,6 +13,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/scene/keyframes.hpp"
+#include "harness/scene/readings.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -65,6 +66,7 @@ std::vector<Axis> axes_of(const Experiment& experiment, const Preset& preset, co
   for (const Axis& axis : preset.axes) replace(axis);
   for (const Axis& axis : overrides.axes) replace(axis);
   if (!overrides.model.empty()) replace({"model", {overrides.model}});
+  if (!overrides.reading.empty()) replace({"reading", {overrides.reading}});
   return axes;
 }
 
@@ -90,23 +92,51 @@ void check_recorded(const Experiment& experiment, const std::map<std::string, st
         experiment.name, cases, size * cases / 1e6, most_recorded / 1e6));
 }
 
-/// Returns the pipeline that the scene of the case names.
-std::string scene_pipeline(const Experiment& experiment, const Case& which) {
+/// Returns a scene in which only the keys that choose the pipeline and the paper have the values of the case.
+Scene method_of(const Experiment& experiment, const Case& which) {
   Scene scene;
   scene.pipeline = experiment.base.pipeline;
-  if (const auto found = which.settings.find("pipeline"); found != which.settings.end())
-    apply_set(scene, "pipeline=" + found->second);
-  for (const auto& [key, value] : which.set)
-    if (key == "pipeline") apply_set(scene, "pipeline=" + value);
-  return scene.pipeline;
+  scene.dynamics.topology = experiment.base.dynamics.topology;
+  scene.shading.model = experiment.base.shading.model;
+  const auto apply = [&](const std::string& key, const std::string& value) {
+    if (key == "pipeline" || key == "dynamics.topology" || key == "shading.model")
+      apply_set(scene, fmt::format("{}={}", key, value));
+  };
+  for (const auto& [key, value] : which.settings) apply(key, value);
+  for (const auto& [key, value] : which.set) apply(key, value);
+  return scene;
+}
+
+bool reads_the_paper(const Case& which) {
+  const auto reading = which.axes.find("reading");
+  return reading != which.axes.end() && reading->second == "paper";
+}
+
+/// Returns the scene keys of a case, with those of `first` behind the experiment's table [scene].
+std::map<std::string, std::string> settings_of_case(const Experiment& experiment,
+                                                    const std::vector<Axis>& axes, const Case& which,
+                                                    const std::vector<ReadingKey>& first) {
+  std::map<std::string, std::string> result;
+  const auto set = [&result](const Setting& setting) { result[setting.first] = setting.second; };
+  for (const Setting& setting : experiment.scene) set(setting);
+  for (const ReadingKey& key : first) result[key.name] = key.paper;
+  for (const auto& [key, values] : axes)
+    if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
+      if (const auto found = tables->second.find(which.axes.at(key)); found != tables->second.end())
+        for (const Setting& setting : found->second) set(setting);
+  // The values of the axes override the scene keys in the tables [AXIS.VALUE], because the scene must have
+  // the values that the name of the case states. The only exception is the model. If a table [model.NAME]
+  // sets the model to a mesh file, the scene uses this file, and the name of the case contains NAME.
+  for (const auto& [key, value] : which.axes)
+    for (const Setting& setting : settings_of(key, value))
+      if (setting.first != "model" || !table_sets(experiment, "model", value, "model")) set(setting);
+  return result;
 }
 
 Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
                const std::vector<std::size_t>& choice, const Overrides& overrides,
                const std::map<std::string, std::string>& recorded) {
   Case result;
-  auto set = [&result](const Setting& setting) { result.settings[setting.first] = setting.second; };
-  for (const Setting& setting : experiment.scene) set(setting);
   result.variant = default_variant;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto& [key, values] = axes[i];
@@ -114,9 +144,6 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     result.axes[key] = value;
     if (key == "variant") result.variant = value;
     if (is_scene_key(key) && key != "model") result.set.emplace_back(key, value);
-    if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
-      if (const auto found = tables->second.find(value); found != tables->second.end())
-        for (const Setting& setting : found->second) set(setting);
     // If the axis is "reading" or "variant", and its value in this case is the axis's first value in the
     // experiment file, the name of the case omits this value.
     const auto own = std::ranges::find_if(experiment.axes, [&k = key](const Axis& a) { return a.key == k; });
@@ -125,16 +152,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(axes[i], value);
   }
   if (result.name.empty()) result.name = experiment.name;  // if the only axes are "reading" and "variant"
-  // The values of the axes override the scene keys in the tables [AXIS.VALUE], because the scene must have
-  // the values that the name of the case states. The only exception is the model. If a table [model.NAME]
-  // sets the model to a mesh file, the scene uses this file, and the name of the case contains NAME.
-  for (const auto& [key, value] : result.axes)
-    for (const Setting& setting : settings_of(key, value))
-      if (setting.first != "model" || !table_sets(experiment, "model", value, "model")) set(setting);
-  // A relative path on the command line is relative to the working folder. A relative path in the experiment
-  // file is relative to the folder of that file.
-  if (is_model_file(overrides.model))
-    result.settings["model"] = quoted(fs::absolute(overrides.model).lexically_normal().string());
+  result.settings = settings_of_case(experiment, axes, result, {});
   result.set.insert(result.set.end(), overrides.set.begin(), overrides.set.end());
   result.overrides = recorded;
 
@@ -146,11 +164,18 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     const auto found = variant->second.find(std::string(key));
     return found == variant->second.end() ? std::string(otherwise) : found->second;
   };
-  result.pipeline = part(pipeline_key, scene_pipeline(experiment, result));
+  const Scene method = method_of(experiment, result);
+  result.pipeline = part(pipeline_key, method.pipeline);
   if (variant == experiment.variants.end() && result.pipeline != default_pipeline)
     result.variant = result.pipeline;
   result.mapping = part(mapping_key, "");
   result.opengl = part(opengl_key, "");
+  if (reads_the_paper(result))
+    result.settings = settings_of_case(experiment, axes, result, reading_of(method, result.pipeline).keys);
+  // A relative path on the command line is relative to the working folder. A relative path in the experiment
+  // file is relative to the folder of that file.
+  if (is_model_file(overrides.model))
+    result.settings["model"] = quoted(fs::absolute(overrides.model).lexically_normal().string());
 
   if (result.overrides.empty()) {
     result.require = experiment.require;
@@ -188,7 +213,9 @@ fs::path example_scene(const std::string& name) {
 Case control_case(const Experiment& experiment, const Case& which) {
   std::vector<Axis> axes;
   for (const Axis& axis : experiment.axes)
-    axes.push_back({axis.key, {is_named(axis.key) ? axis.values.front() : which.axes.at(axis.key)}});
+    axes.push_back(
+        {axis.key,
+         {is_named(axis.key) && axis.key != "reading" ? axis.values.front() : which.axes.at(axis.key)}});
   for (const auto& [key, value] : which.axes)
     if (std::ranges::none_of(axes, [&k = key](const Axis& axis) { return axis.key == k; }))
       axes.push_back({key, {value}});
@@ -299,6 +326,7 @@ Scene scene_of(const Experiment& experiment, const Case& which) {
   for (const auto& [key, value] : which.set)
     apply_set(scene, fmt::format("{}={}", key, value),
               which.axes.contains(key) ? fmt::format("{}: axis {}", experiment.name, key) : "--set");
+  if (reads_the_paper(which)) read_lights(scene, reading_of(scene, which.pipeline));
   check_scene(scene, source);
   return scene_at(scene, double(scene.dynamics.time));
 }

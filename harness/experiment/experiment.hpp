@@ -27,9 +27,10 @@ using Setting = std::pair<std::string, std::string>;
 /// - "model";
 /// - "layers": the scene key fur.layers;
 /// - "size": image.width x image.height;
-/// - "reading": an interpretation of the text of a paper;
+/// - "reading": "paper" or "pelage" (harness/scene/readings.hpp), or a name of a table in the file;
 /// - "variant": a pipeline with its options.
-/// The values of "reading", of "variant" and of an axis with a chosen name are names of tables in the file.
+/// The values of "variant", of an axis with a chosen name, and the other values of "reading" are names of
+/// tables in the file.
 struct Axis {
   std::string key;
   std::vector<std::string> values;  ///< as written in the file or on the command line: "0.10" stays "0.10"
@@ -101,11 +102,12 @@ struct Case {
   std::map<std::string, double> require;  ///< metric -> required minimum; no entries if there are overrides
 };
 
-/// The command-line options --set, --axis and --model, which change an experiment.
+/// The command-line options --set, --axis, --model and --reading, which change an experiment.
 struct Overrides {
   std::vector<Setting> set = {};
   std::vector<Axis> axes = {};
   std::string model = {};
+  std::string reading = {};  ///< the only value of the axis "reading"; rows have it there, not as an override
 };
 
 /// Reads a number in the form in which a paper prints it: "267" (rounded: between 266.5 and 267.5), "< 1" (an
@@ -150,7 +152,7 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
 Scene scene_of(const Experiment& experiment, const Case& which);
 
 /// Returns the case with the first value, in the experiment file, of each axis whose values are names of
-/// tables, other than model, layers, size and variant. Other axes and --set stay.
+/// tables, other than model, layers, size, reading and variant. Other axes and --set stay.
 Case control_case(const Experiment& experiment, const Case& which);
 
 /// The option --filter: a regular expression in RE2's syntax that selects cases by their names. RE2 matches

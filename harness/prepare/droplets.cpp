@@ -114,7 +114,8 @@ class Places {
 /// Converts the radii of the scene, which are in the unit wetness.unit.
 class Radii {
  public:
-  Radii(std::shared_ptr<const Mesh> mesh, const WetnessScene& wetness) : length_(mesh->length_per_uv) {
+  Radii(std::shared_ptr<const Mesh> mesh, const WetnessScene& wetness)
+      : length_(mesh->length_per_uv), limited_(wetness.seams != "ignored") {
     if (wetness.unit == "surface") scale_.emplace(std::move(mesh));
   }
   /// Returns Droplet::radius at a place, in UV. The disc of a droplet must not be larger than the atlas.
@@ -122,8 +123,9 @@ class Radii {
     return scale_ ? std::min(1.0, radius / scale_->at(here.face, here.bary)) : radius;
   }
   /// Returns Droplet::reach in R: twice the greatest radius of the droplet's disc on the surface. If u and v
-  /// have different scales, the disc is an ellipse. The factor 2 allows for stretch of the UV map.
-  float reach(double radius) const { return float(2.0 * radius * longest()); }
+  /// have different scales, the disc is an ellipse. The factor 2 allows for stretch of the UV map. Without
+  /// seams, the result exceeds all distances between points of a mesh.
+  float reach(double radius) const { return limited_ ? float(2.0 * radius * longest()) : 1e30f; }
   /// Returns the factor between a radius and the least radius of the droplet's disc on the surface, in R.
   double shortest() const { return double(std::min(length_.x, length_.y)) / unit(); }
 
@@ -132,6 +134,7 @@ class Radii {
   double unit() const { return scale_ ? std::sqrt(double(length_.x) * double(length_.y)) : 1.0; }
 
   glm::vec2 length_;
+  bool limited_;
   std::optional<UvScale> scale_;
 };
 

@@ -104,13 +104,13 @@ struct WetnessScene {
   std::filesystem::path text_font;  ///< TrueType or OpenType file; empty: DejaVu Sans Bold
 };
 
-inline constexpr std::array clump_scales{"relative", "literal", "distance", "converge"};
+inline constexpr std::array clump_scales{"literal", "distance", "converge"};
 inline constexpr std::array clump_cells{"separate", "literal", "consistent"};
 inline constexpr std::array tangent_readings{"paper", "drawn", "strand", "printed"};
 
 struct ClumpScene {
   float shape = 0.0f;
-  float gain = 3.5f;
+  float gain = 1.0f;
   std::string scale = "converge";    ///< one of clump_scales
   std::string cells = "consistent";  ///< rule for fragments at a clump's border, one of clump_cells
 };

@@ -45,7 +45,7 @@ typedef struct {
   int mask_size;
   float clump_shape;                          // w of S Eq. 5
   float clump_gain;
-  int clump_scale;                            // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
+  int clump_scale;                            // CLUMP_LITERAL, ...: the reading of S Eq. 5 (scene key clump.scale)
   int clump_cells;                            // CELLS_SEPARATE, ...: the scene key clump.cells
   float log_layers;                           // k = ln N, for S Eq. 5
   int film;                                   // 1: a smooth film of water replaces the clumps of soaked fur (docs/shells.md, section 11)
@@ -100,7 +100,7 @@ enum { FACES_ALL, FACES_FRONT, FACES_BACK_THEN_FRONT };
 #define FACES_AWAY 0x10000
 
 // Readings of S Eq. 5, in the order of the values of the scene key clump.scale.
-enum { CLUMP_RELATIVE, CLUMP_LITERAL, CLUMP_DISTANCE, CLUMP_CONVERGE };
+enum { CLUMP_LITERAL, CLUMP_DISTANCE, CLUMP_CONVERGE };
 // Borders of clumps, in the order of the values of the scene key clump.cells.
 enum { CELLS_SEPARATE, CELLS_LITERAL, CELLS_CONSISTENT };
 // Readings of W Eq. 4, in the order of the values of the scene key shading.tangent.

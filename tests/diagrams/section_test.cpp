@@ -64,8 +64,10 @@ TEST(ClumpSection, AllStrandsOfAClumpConverge) {
 }
 
 TEST(ClumpSection, TheDisplacementIsThatOfTheDrawnPoint) {
-  // With "relative", d = gain rho f (p - c) for the point p at which the strand is drawn (S Eq. 5).
-  const Section section = diagrams::clump_section(clumped("relative", 0.5f), 1.0);
+  // With "literal", d = gain r rho f (p - c) for the point p at which the strand is drawn (S Eq. 5).
+  Scene scene = clumped("literal", 0.5f);
+  scene.clump.gain = 70;
+  const Section section = diagrams::clump_section(scene, 1.0);
   for (const auto& row : section.rows)
     if (value(section, row, "inside") > 0) {
       EXPECT_NEAR(value(section, row, "d"), 3.5 * 0.8 * value(section, row, "f") * value(section, row, "u"),

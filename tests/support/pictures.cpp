@@ -77,6 +77,7 @@ Cases other_readings() {
   wet.scene.fur.layer_spacing = "uniform";
   wet.scene.fur.layer_correction = "fragment";
   wet.scene.clump.scale = "literal";
+  wet.scene.clump.gain = 1;
   wet.scene.clump.cells = "literal";
   wet.scene.wetness.blend = "near";
   wet.scene.blend.faces = "all";
@@ -85,7 +86,7 @@ Cases other_readings() {
   FrameInput curling = wet;
   curling.scene.shading.model = "curling";
   curling.scene.shading.lights.resize(1);
-  curling.scene.clump.scale = "relative";
+  curling.scene.clump.gain = 40;
   curling.scene.clump.cells = "separate";
   FrameInput power = curling;
   power.scene.shading.exponent = 7.5f;  // not a whole number, so pow() is needed

@@ -257,7 +257,7 @@ Scene lively_scene() {
   scene.shading.specular = {.25f, .15f, .08f};
   scene.coat.skin = {.6f, .45f, .3f};
   scene.clump.shape = .6f;
-  scene.clump.gain = 2.f;
+  scene.clump.gain = 33.f;
   scene.wetness.size = 64;
   scene.wetness.radius = .06f;
   scene.dynamics.gravity = {0, -9.8f, 0};

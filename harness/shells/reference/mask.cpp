@@ -205,7 +205,7 @@ struct ClumpReading {
     if (scale == "converge") return share(f) / (1.0 - share(f)) * away;
     if (scale == "distance")
       return distance > 0.0 ? f * clump.wetness * clump.radius * away / distance : away;
-    return f * clump.wetness * (scale == "literal" ? clump.radius : gain) * away;
+    return f * clump.wetness * clump.radius * gain * away;
   }
   /// Returns the point p at which the strand with the root q is drawn: p + displacement(f, p) = q. With
   /// "distance", q is further from the centre than the strand moves.
@@ -215,7 +215,7 @@ struct ClumpReading {
     if (scale == "converge") return clump.centre + (1.0 - share(f)) * away;
     if (scale == "distance")
       return distance > 0.0 ? q - f * clump.wetness * clump.radius * away / distance : q;
-    return clump.centre + away / (1.0 + f * clump.wetness * (scale == "literal" ? clump.radius : gain));
+    return clump.centre + away / (1.0 + f * clump.wetness * clump.radius * gain);
   }
   double stretch(double f) const { return scale == "converge" ? 1.0 / (1.0 - share(f)) : 1.0; }
 };

@@ -51,6 +51,7 @@ TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
         const auto input = std::make_shared<FrameInput>(*frame);
         input->scene.clump.cells = cells;
         input->scene.clump.scale = scale;
+        input->scene.clump.gain = 256;
         Shells shells(device(), input, {"tile", {}}), every_layer(device(), input, {"tile", {{"REACH", 0}}});
         shells.frame();
         every_layer.frame();
@@ -68,6 +69,7 @@ TEST(Determinism, WhatClumpsHideDependsOnTheView) {
   for (const char* scale : clump_scales)
     for (const double distance : {1.3, 3.0, 12.0, 40.0}) {
       input->scene.clump.scale = scale;
+      input->scene.clump.gain = 256;
       CameraScene camera = input->scene.camera;
       camera.eye = float(distance) * glm::normalize(camera.direction);
       input->camera = synthetic::camera(camera, 320, 240);
@@ -128,10 +130,10 @@ using reference::Mutant;
 /// Mistakes in the light of wet fur, in addition.
 constexpr Mutant planted_wet[] = {Mutant::tangent_reversed, Mutant::eye_reversed, Mutant::facing_swapped};
 
-/// Returns the frame with the values of pelage's first version.
-std::shared_ptr<const FrameInput> with_first_readings(FrameInput input) {
+/// Returns the frame with other values of the readings.
+std::shared_ptr<const FrameInput> with_other_readings(FrameInput input) {
   input.scene.blend.faces = "all";
-  input.scene.clump.scale = "relative";
+  input.scene.clump.scale = "literal";
   input.scene.clump.cells = "separate";
   input.scene.shading.tangent = "paper";
   input.scene.wetness.blend = "near";
@@ -149,7 +151,7 @@ TEST(Mutants, AreSeen) {
   EXPECT_TRUE(drawn_alike(small_frame("curling"), "tile"));
   for (const auto& [frame, least_pixels] :
        {std::pair(small_frame("curling"), 5000u), std::pair(model_frame("torus", 16, "curling"), 20000u)}) {
-    const auto input = with_first_readings(*frame);
+    const auto input = with_other_readings(*frame);
     const Picture drawn = drawn_by_device(input, "tile");
     for (const Mutant mutant : planted) expect_seen(*input, mutant, drawn, least_pixels);
   }

@@ -31,7 +31,7 @@ std::shared_ptr<const FrameInput> torus_wet_in_front(const char* faces, bool bot
   scene.fur.length = .15f;
   scene.fur.layers = 12;
   scene.wetness.size = 256;
-  scene.wetness.seams = "cut";
+  scene.wetness.seams = "ignored";
   // With "consistent", fur at the silhouette depends on clumps within a pixel's footprint, which is large
   // there.
   scene.clump.cells = "separate";

@@ -236,9 +236,8 @@ TEST(Equations, ShiftsByAClumpAreTheReferences) {
     reference::Mask mask{1, {{centre, r, rho}}};
     const reference::Displacement expected = reference::clump_displacement(input, mask, centre + away, n);
     const bool converging = std::string_view(scale) == "converge";
-    const double factor = std::string_view(scale) == "relative"  ? double(input.scene.clump.gain)
-                          : std::string_view(scale) == "literal" ? r
-                                                                 : r / distance;
+    input.scene.clump.gain = 256;
+    const double factor = std::string_view(scale) == "literal" ? 256 * r : r / distance;
     const shim::Shift shift =
         converging ? shim::converging_shift(f(n), f(n) - f(n - 1), rho)
                    : shim::linear_shift(f(n), f(n) - f(n - 1),

@@ -23,6 +23,7 @@ FrameInput input_with(const char* scale, float shape) {
   input.scene.fur.layers = layers;
   input.scene.clump.scale = scale;
   input.scene.clump.shape = shape;
+  input.scene.clump.gain = 3.5 / radius;
   input.scene.clump.cells = "literal";
   return input;
 }
@@ -62,9 +63,8 @@ TEST(ClumpReadings, StrandsAreStraightIfTheShapeIsZero) {
     for (const double root :
          {.185, .19, .199})  // further from the centre than rho r, so that "distance" draws them
       EXPECT_LT(crooked(input_with(scale, 0), root), 1e-6) << scale << ", root at " << root;
-  // Both papers say that w = 0 gives straight strands. With the factors of the other readings they are
-  // curved.
-  EXPECT_GT(crooked(input_with("relative", 0), .19), .25);
+  // Both papers say that w = 0 gives straight strands. With the printed factor they are curved.
+  EXPECT_GT(crooked(input_with("literal", 0), .19), .25);
 }
 
 TEST(ClumpReadings, TheOutlineIsTheRadiusTimesOneMinusRhoF) {

@@ -26,7 +26,7 @@ Droplet droplet(float u, float v, float radius, float wetness) {
 FrameInput with(std::vector<Droplet> droplets, int size = 8) {
   Scene scene = synthetic::lively_scene();
   scene.wetness.blend = "near";
-  scene.clump.scale = "relative";
+  scene.clump.scale = "literal";
   scene.clump.cells = "separate";
   scene.wetness.size = size;
   FrameInput input = synthetic::frame(scene, synthetic::square(1), 1, 1, 0);
@@ -85,7 +85,7 @@ TEST(ReferenceMask, DropletsOfTheWetSceneOverlap) {
   const auto mesh = load_scene_mesh(scene, {});
   EXPECT_GT(blended_share(*prepare(scene, mesh)), 0.1);
   scene.wetness.blend = "near";
-  scene.wetness.seams = "cut";
+  scene.wetness.seams = "ignored";
   scene.clump.cells = "separate";
   scene.wetness.spacing = 1;
   EXPECT_LT(blended_share(*prepare(scene, mesh)), 0.001);
@@ -166,7 +166,7 @@ TEST(ReferenceClump, ShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
 struct OneClump : testing::Test {
   FrameInput input = with({droplet(.5f, .5f, .2f, .5f)}, 64);
   Mask mask = wetness_mask(input);
-  OneClump() { input.scene.clump = {0, 2, "relative", "separate"}; }
+  OneClump() { input.scene.clump = {0, 10, "literal", "separate"}; }
 };
 
 TEST_F(OneClump, DryFurStays) {
@@ -179,16 +179,16 @@ TEST_F(OneClump, DryFurStays) {
 
 TEST_F(OneClump, TheDisplacementIsEquation5) {
   // In Eq. 5 of paper S, the displacement d is the vector from the clump's centre to the fragment, multiplied
-  // by f, by the wetness rho and by clump.gain. Here f = h = 8/16, rho = .5 and clump.gain = 2, so d is half
-  // of this vector. The texture lookup moves away from the centre, so the drawn fur moves towards the centre.
-  const Displacement relative = clump_displacement(input, mask, {.56, .53}, 7);
-  EXPECT_NEAR(relative.d.x, .5 * .06, 1e-7);
-  EXPECT_NEAR(relative.d.y, .5 * .03, 1e-7);
-  EXPECT_NEAR(relative.delta_d.x, .06 / 16, 1e-7);
-  EXPECT_FALSE(relative.discarded);
-  // With clump.scale = "literal", the factor of the displacement is the clump's radius .2 instead of
-  // clump.gain.
-  input.scene.clump.scale = "literal";
+  // by f, by the wetness rho and by the clump's radius .2, here in tenths of a UV unit (clump.gain = 10).
+  // With f = h = 8/16 and rho = .5, d is half of this vector. The texture lookup moves away from the centre,
+  // so the drawn fur moves towards the centre.
+  const Displacement tenths = clump_displacement(input, mask, {.56, .53}, 7);
+  EXPECT_NEAR(tenths.d.x, .5 * .06, 1e-7);
+  EXPECT_NEAR(tenths.d.y, .5 * .03, 1e-7);
+  EXPECT_NEAR(tenths.delta_d.x, .06 / 16, 1e-7);
+  EXPECT_FALSE(tenths.discarded);
+  // With clump.gain = 1, the radius is in UV units.
+  input.scene.clump.gain = 1;
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
   // If clump.shape is 1, the displacement d is 0 on the first layer. delta_d is d on this layer minus d on
   // the base surface. On the base surface d is 0, so delta_d is also 0.
@@ -201,9 +201,9 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
 }
 
 TEST_F(OneClump, Algorithm2DiscardsWhatLooksIntoDryFur) {
-  // On the outermost layer, f = 1 in Eq. 5 of paper S. The wetness rho times clump.gain is also 1. Let p be
-  // the fragment's position. The displacement d is then the vector from the clump's centre to p, and the
-  // displaced point p + d is twice as far from the clump's centre as p.
+  // On the outermost layer, f = 1 in Eq. 5 of paper S. The wetness rho times the clump's radius times
+  // clump.gain is also 1. Let p be the fragment's position. The displacement d is then the vector from the
+  // clump's centre to p, and the displaced point p + d is twice as far from the clump's centre as p.
   EXPECT_FALSE(clump_displacement(input, mask, {.59, .5}, 15).discarded);
   EXPECT_TRUE(clump_displacement(input, mask, {.62, .5}, 15).discarded);
   EXPECT_FALSE(clump_displacement(input, mask, {.62, .5}, 3).discarded);
@@ -220,7 +220,7 @@ TEST(ReferenceClump, SeparateCellsDoNotFillEachOthersGaps) {
   // The mask has two clumps of equal radius. The second clump overwrites the first clump where their discs
   // overlap.
   FrameInput input = with({droplet(.4f, .5f, .12f, .5f), droplet(.6f, .5f, .12f, .5f)}, 64);
-  input.scene.clump = {0, 2, "relative", "separate"};
+  input.scene.clump = {0, 2 / .12f, "literal", "separate"};
   const Mask mask = wetness_mask(input);
   // On the outermost layer, the first clump displaces the fragment at p by d = (.05, 0) to (.5, .5), a point
   // of the second clump. With clump.cells = "separate", the fragment must be discarded. With "literal", it

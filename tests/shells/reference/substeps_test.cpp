@@ -187,8 +187,8 @@ TEST(ReferenceSubsteps, FourLooksFollowAClumpAsSixteenLayersDo) {
   const auto drawn = [](int layers, int substeps) {
     Scene scene = sheet_scene(layers, substeps);
     scene.clump.shape = 0;
-    scene.clump.scale = "relative";
-    scene.clump.gain = .7f;
+    scene.clump.scale = "literal";
+    scene.clump.gain = .35f;
     scene.camera.eye = {0, 0, 60};
     scene.camera.up = {0, 1, 0};
     scene.camera.fov = 2.2f;
