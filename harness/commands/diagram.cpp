@@ -137,7 +137,7 @@ int diagram(const DiagramOptions& options) {
   } else {
     check_table_path(options.output, "diagram " + options.kind);
   }
-  const Scene resolved = resolve_scene(options.scene, options.renderer.pipeline);
+  const Scene resolved = resolve_scene(options.scene);
   const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
   if (kind->section)
     write_drawn_table(options.output, diagrams::csv_of(kind->section(scene)));

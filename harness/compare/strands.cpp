@@ -8,6 +8,7 @@
 #include "harness/compare/tolerances.hpp"
 #include "harness/parallel.hpp"
 #include "harness/prepare/random.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/springs/model/motion.hpp"
 #include "harness/strands/reference/chain.hpp"
 #include "harness/strands/reference/drawing.hpp"
@@ -69,16 +70,18 @@ naive::SkinPoint skin_point(const strands::SkinFrame& from, const strands::SkinF
 
 std::vector<Check> check_chain_step(const StrandInput& input, const ChainStep& step, std::uint32_t seed) {
   std::vector<double> direction, rate;
+  const strands::ChainDynamics dynamics =
+      strands::dynamics_of_frame(input, int(step.number / input.scene.dynamics.substeps));
   for (const std::size_t i : sample(step.before.size(), chains_compared, seed)) {
     const Chain& chain = input.fur.chains[i];
     const ChainState& found = step.after[i];
     std::optional<naive::SkinPoint> skin;
     if (step.skin) skin = skin_point(step.skin->first, step.skin->second, i, 0.5);
-    const naive::State exact = naive::step(chain, input.dynamics, naive::in_double(step.before[i]),
-                                           step.number, skin ? &*skin : nullptr);
+    const naive::State exact =
+        naive::step(chain, dynamics, naive::in_double(step.before[i]), step.number, skin ? &*skin : nullptr);
     direction.push_back(std::max(glm::distance(glm::dvec3(found.direction[0]), exact.u),
                                  glm::distance(glm::dvec3(found.direction[1]), exact.w)));
-    const double fall = glm::length(glm::dvec3(input.dynamics.gravity)) / double(chain.length);
+    const double fall = glm::length(glm::dvec3(dynamics.gravity)) / double(chain.length);
     const double unit = std::sqrt(double(chain.stiffness_first) + fall + 1);
     rate.push_back(std::max(glm::distance(glm::dvec3(found.rate[0]), exact.a),
                             glm::distance(glm::dvec3(found.rate[1]), exact.b)) /
@@ -142,20 +145,21 @@ std::pair<std::vector<KeyStrand>, std::shared_ptr<const strands::SkinSurface>> r
   }
   std::vector<naive::State> states;
   for (const Chain& chain : input.fur.chains) states.push_back(naive::at_rest(chain));
-  // Without frames of the mesh, the chains do not depend on each other in any way, and all steps of a chain
-  // are computed at once.
-  const int passes = skin ? frames : 1, steps = skin ? substeps : frames * substeps;
+  // If neither the skin nor a force changes, all steps of a chain are computed at once.
+  const bool by_frame = skin || forces_change(input.scene);
+  const int passes = by_frame ? frames : 1, steps = by_frame ? substeps : frames * substeps;
   for (int pass = 0; pass < passes; ++pass) {
     strands::SkinFrame from;
     if (skin) {
       from = skin->frame();
       skin->advance();
     }
+    const strands::ChainDynamics dynamics = strands::dynamics_of_frame(input, pass);
     for_each_index(states.size(), 64, [&](std::size_t i) {
       for (int k = 0; k < steps; ++k) {
         std::optional<naive::SkinPoint> point;
         if (skin) point = skin_point(from, skin->frame(), i, double(k + 1) / steps);
-        states[i] = naive::step(input.fur.chains[i], input.dynamics, states[i], long(pass) * steps + k,
+        states[i] = naive::step(input.fur.chains[i], dynamics, states[i], long(pass) * steps + k,
                                 point ? &*point : nullptr);
       }
     });

@@ -39,12 +39,17 @@ std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur, const 
 
 }  // namespace
 
+glm::vec2 gust_phase(const glm::dvec3& root, const WindScene& wind) {
+  const glm::dvec3 blow(wind.direction);
+  const glm::dvec3 along = glm::length(blow) > 0 ? glm::normalize(blow) : glm::dvec3(0);
+  const double phase = 2.0 * std::numbers::pi * glm::dot(root, along) / double(wind.wavelength);
+  return {float(std::cos(phase)), float(std::sin(phase))};
+}
+
 FaceSprings make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind, const Style& style) {
   const std::size_t faces = skin.triangle.size();
   const bool combed = fur.comb != 0.0f || fur.comb_noise != 0.0f;
   const auto lean = combed ? comb_field(skin, fur, style) : std::vector<glm::dvec3>();
-  const glm::dvec3 blow(wind.direction);
-  const glm::dvec3 along = glm::length(blow) > 0 ? glm::normalize(blow) : glm::dvec3(0);
 
   FaceSprings set;
   for (std::size_t f = 0; f < faces; ++f) {
@@ -61,8 +66,7 @@ FaceSprings make_strands(const Skin& skin, const FurScene& fur, const WindScene&
     } else {
       set.anchor.push_back(length * normal);
     }
-    const double phase = 2.0 * std::numbers::pi * glm::dot(root, along) / double(wind.wavelength);
-    set.phase.push_back({float(std::cos(phase)), float(std::sin(phase))});
+    set.phase.push_back(gust_phase(root, wind));
   }
 
   set.row = skin.row;

@@ -6,6 +6,9 @@
 
 namespace pelage {
 
+/// Returns the cosine and the sine of the phase of the wind's gusts at a root (docs/shells.md, section 1).
+glm::vec2 gust_phase(const glm::dvec3& root, const WindScene& wind);
+
 /// Returns one strand per triangle (S 3.2.1). L0 is the length of the fur, n is the normal of the triangle,
 /// and the tangent vector a is the tilt of the strand. The vector from the root to the tip at rest is L0
 /// normalize(n + a). The key fur.comb tilts the strands towards the comb direction, and fur.comb_noise adds a

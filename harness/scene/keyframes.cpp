@@ -71,7 +71,35 @@ Scene scene_at(const Scene& scene, double seconds) {
     set_key(*key, value_at(track.frames, seconds));
   }
   check_scene(result, fmt::format("keyframes at {} s", seconds));
+  for (const KeyTrack& track : scene.keyframes.tracks) {
+    if (!is_force_key(track.key)) continue;
+    set_key(*find_key(keys, track.key), value_at(track.frames, 0));
+    result.keyframes.tracks.push_back(track);
+  }
   return result;
+}
+
+bool is_force_key(std::string_view key) {
+  return key == "dynamics.gravity" || key.starts_with("dynamics.poke.") ||
+         (key.starts_with("dynamics.wind.") && key != "dynamics.wind.gust_at");
+}
+
+bool forces_change(const Scene& scene) {
+  return std::ranges::any_of(scene.keyframes.tracks, is_force_key, &KeyTrack::key);
+}
+
+DynamicsScene dynamics_of_frame(const Scene& scene, int frame) {
+  Scene at;
+  at.dynamics = scene.dynamics;
+  const double seconds = double(frame) * at.dynamics.substeps * double(at.dynamics.step);
+  const std::vector<Key> keys = scene_keys(at);
+  for (const KeyTrack& track : scene.keyframes.tracks)
+    if (is_force_key(track.key)) set_key(*find_key(keys, track.key), value_at(track.frames, seconds));
+  for (const auto& [name, direction] : {std::pair("wind.direction", at.dynamics.wind.direction),
+                                        std::pair("poke.along", at.dynamics.poke.along)})
+    if (direction == glm::vec3(0))
+      throw InputError(fmt::format("keyframes at {} s: dynamics.{}: points nowhere", seconds, name));
+  return at.dynamics;
 }
 
 bool may_have_keyframes(const Key& key) {

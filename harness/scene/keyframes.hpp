@@ -11,6 +11,7 @@
 
 namespace pelage {
 
+struct DynamicsScene;
 struct Scene;
 struct Key;
 
@@ -41,12 +42,25 @@ struct Keyframes {
 inline constexpr std::size_t most_keyframes = 1000;
 inline constexpr double most_keyframe_time = 3600;
 
-/// Returns the scene at the time `seconds`, without keyframes. Numbers (except whole numbers) and vectors are
+/// True for the keys of the forces on the fur: gravity, wind and local force. With keyframes, they have the
+/// value of each simulated frame (dynamics_of_frame()), because the motion depends on all earlier forces.
+bool is_force_key(std::string_view key);
+
+/// Returns the scene at the time `seconds`. It has only the keyframes of forces, whose keys have their value
+/// at the time 0. Numbers (except whole numbers) and vectors are
 /// interpolated linearly between two keyframes. Whole numbers, strings, paths and truth values have the value
 /// of the last keyframe that is reached. Before the first keyframe, a key has the value of the first
 /// keyframe, and after the last keyframe that of the last one. Throws InputError if the scene at this time is
 /// not valid, for instance because an interpolated direction is zero.
 Scene scene_at(const Scene& scene, double seconds);
+
+/// True if the scene has keyframes of forces.
+bool forces_change(const Scene& scene);
+
+/// Returns the dynamics of the simulated frame number `frame`, from 0. Forces with keyframes have their value
+/// at the time at which the frame begins, frame * substeps * step. Throws InputError if a direction is then
+/// zero.
+DynamicsScene dynamics_of_frame(const Scene& scene, int frame);
 
 /// True if the key may have keyframes. The model, the options of its preparation and the
 /// pipeline may not.
@@ -63,12 +77,12 @@ void set_key(const Key& key, const KeyValue& value);
 void check_keyframes(const Scene& scene, const std::string& source);
 
 /// Returns the scene that `pelage render --set dynamics.time=SECONDS` draws: every key has its value at the
-/// time `seconds`, dynamics.time is `seconds`, and there are no keyframes. Keyframes of dynamics.time have no
-/// effect. Throws InputError like scene_at().
+/// time `seconds`, dynamics.time is `seconds`, and there are only the keyframes of forces. Keyframes of
+/// dynamics.time have no effect. Throws InputError like scene_at().
 Scene picture_scene(const Scene& scene, float seconds);
 
 /// True if all keys and lists of the two scenes have the same values, bit for bit. Keys for which
-/// `may_differ` returns true are not compared. Both scenes must have no keyframes.
+/// `may_differ` returns true are not compared.
 bool equal_except(const Scene& a, const Scene& b, const std::function<bool(std::string_view)>& may_differ);
 
 }  // namespace pelage

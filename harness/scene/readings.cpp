@@ -47,8 +47,10 @@ PaperReading read_reading(const fs::path& file, const Paper& paper) {
   if (!keys || !keys->is_array_of_tables()) in.refuse("key", "a reading needs [[key]]");
   for (const toml::node& node : *keys->as_array()) {
     TomlTable key(file, *node.as_table(), "key");
-    ReadingKey entry{.name = key.required_text("name"), .section = key.required_text("section")};
+    ReadingKey entry;
+    entry.name = key.required_text("name");
     key.rename(entry.name);
+    entry.section = key.required_text("section");
     entry.paper = reading_value(key, entry.name, "paper");
     entry.pelage = reading_value(key, entry.name, "pelage");
     key.required_text("text");

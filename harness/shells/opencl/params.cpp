@@ -54,16 +54,9 @@ void append_turns(const Scene& scene, const std::vector<float>& shares, std::vec
 
 }  // namespace
 
-SimulateParams simulate_params(const Scene& scene, const Geometry& geometry) {
-  const DynamicsScene& d = scene.dynamics;
+void set_forces(const DynamicsScene& d, SimulateParams& p) {
   const glm::vec3 wind =
       d.wind.strength == 0.0f ? glm::vec3(0.0f) : d.wind.strength * glm::normalize(d.wind.direction);
-  SimulateParams p{};
-  p.length = scene.fur.length;
-  p.stiffness = d.stiffness;
-  p.drag = d.drag;
-  p.inverse_mass = 1.0f / d.mass;
-  p.step = d.step;
   p.weight_x = d.mass * d.gravity.x;
   p.weight_y = d.mass * d.gravity.y;
   p.weight_z = d.mass * d.gravity.z;
@@ -71,6 +64,17 @@ SimulateParams simulate_params(const Scene& scene, const Geometry& geometry) {
   p.wind_y = wind.y;
   p.wind_z = wind.z;
   p.gust = d.wind.gust;
+}
+
+SimulateParams simulate_params(const Scene& scene, const Geometry& geometry) {
+  const DynamicsScene& d = scene.dynamics;
+  SimulateParams p{};
+  p.length = scene.fur.length;
+  p.stiffness = d.stiffness;
+  p.drag = d.drag;
+  p.inverse_mass = 1.0f / d.mass;
+  p.step = d.step;
+  set_forces(d, p);
   p.stride = geometry.strands;
   p.substeps = d.substeps;
   return p;

@@ -12,6 +12,9 @@ namespace pelage::shells {
 
 SimulateParams simulate_params(const Scene& scene, const Geometry& geometry);
 
+/// Sets the weight and the wind in the parameters of simulate_params().
+void set_forces(const DynamicsScene& dynamics, SimulateParams& params);
+
 /// Returns two floats for each substep of frame number `frame`: sin and cos of 2 pi f t, where f is the
 /// frequency of the gusts and t is the start time of the substep. Frame 0 starts at t = 0.
 std::vector<float> gust_table(const DynamicsScene& dynamics, int frame);

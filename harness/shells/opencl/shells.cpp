@@ -43,7 +43,7 @@ struct Shells::State {
 
   void move(cl::PhaseEvents* events) {
     if (springs)
-      springs->frame(queue, events);
+      springs->frame(queue, frames, events);
     else
       simulate->frame(queue, frames, events);
   }

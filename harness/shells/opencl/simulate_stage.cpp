@@ -1,5 +1,7 @@
 #include "harness/shells/opencl/simulate_stage.hpp"
 
+#include "harness/prepare/strands.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 
@@ -31,9 +33,23 @@ SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, co
       constants_(queue, std::span<const float>(geometry.strand_constants)),
       state_(queue, std::span<const float>(rest_state(geometry))) {
   if (has_contact(input.scene.contact)) contact_.emplace(queue, input);
+  if (forces_change(input.scene)) forces_ = {input.scene, input.strands.root, geometry.strand_constants};
+}
+
+void SimulateStage::use_forces(const cl::Queue& queue, int number) {
+  dynamics_ = dynamics_of_frame(forces_->scene, number);
+  set_forces(dynamics_, params_);
+  const auto stride = std::size_t(params_.stride);
+  for (std::size_t f = 0; f < forces_->root.size(); ++f) {
+    const glm::vec2 phase = gust_phase(glm::dvec3(forces_->root[f]), dynamics_.wind);
+    forces_->constants[std::size_t(PHASE_COS) * stride + f] = phase.x;
+    forces_->constants[std::size_t(PHASE_SIN) * stride + f] = phase.y;
+  }
+  constants_.write(queue, forces_->constants);
 }
 
 void SimulateStage::frame(const cl::Queue& queue, int number, cl::PhaseEvents* events) {
+  if (forces_) use_forces(queue, number);
   gusts_.write(queue, gust_table(dynamics_, number));
   if (contact_) {
     contact_->set_frame(queue, number);

@@ -41,6 +41,7 @@ class SimulateStage {
  public:
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,
                 const Tuning& tuning = {});
+  /// Simulates frame number `number`, counted from 0.
   void frame(const cl::Queue& queue, int number, cl::PhaseEvents* events);
   /// Returns the colliders of the last frame; null if the scene has none.
   const ContactStage* contact() const { return contact_ ? &*contact_ : nullptr; }
@@ -56,6 +57,15 @@ class SimulateStage {
   DynamicsScene dynamics_;
   int lanes_;
   std::size_t group_;  // number of work-items per work-group; 0: cl::usual_group()
+  /// What a scene with keyframes of forces needs in every frame.
+  struct Forces {
+    Scene scene;
+    std::vector<glm::vec3> root;
+    std::vector<float> constants;
+  };
+  void use_forces(const cl::Queue& queue, int number);
+
+  std::optional<Forces> forces_;
   cl::Buffer<float> gusts_, constants_, state_;
   std::optional<ContactStage> contact_;
 };
@@ -65,9 +75,9 @@ class SimulateStage {
 class SpringStage {
  public:
   SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
-  /// Advances the masses by one frame, in dynamics.substeps steps. If dynamics.tolerance is above 0, the
-  /// steps have adaptive length instead.
-  void frame(const cl::Queue& queue, cl::PhaseEvents* events);
+  /// Advances the masses by frame number `number`, counted from 0, in dynamics.substeps steps. If
+  /// dynamics.tolerance is above 0, the steps have adaptive length instead.
+  void frame(const cl::Queue& queue, int number, cl::PhaseEvents* events);
   /// Computes the tip offset B of every drawn vertex (docs/shells.md, section 3). `vertex` is the vertex
   /// table in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, with one value per vertex.
   const cl::Buffer<float>& tips(const cl::Queue& queue, const RasterParams& params,
@@ -82,7 +92,15 @@ class SpringStage {
   std::vector<const cl::Program*> programs() const { return {&program_, &masses_.program()}; }
 
  private:
+  /// What a scene with keyframes of forces needs in every frame.
+  struct Forces {
+    Scene scene;
+    std::shared_ptr<const Mesh> mesh;
+    springs::SpringNetwork network;
+  };
+
   springs::MassSprings masses_;
+  std::optional<Forces> forces_;
   cl::Program program_;
   cl::Kernel tips_;
   cl::Buffer<std::int32_t> stick_;

@@ -1,3 +1,4 @@
+#include "harness/scene/keyframes.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/springs/model/scene.hpp"
@@ -35,11 +36,17 @@ SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const 
       lanes_(lanes),
       level_(input.scene.dynamics.bend == "tangent") {
   const DynamicsScene& scene = input.scene.dynamics;
+  if (forces_change(input.scene)) forces_ = {input.scene, input.mesh, springs::network_of(input)};
   if (scene.tolerance > 0)
     adaptive_.emplace(float(scene.substeps) * scene.step, scene.substeps, scene.tolerance);
 }
 
-void SpringStage::frame(const cl::Queue& queue, cl::PhaseEvents* events) {
+void SpringStage::frame(const cl::Queue& queue, int number, cl::PhaseEvents* events) {
+  if (forces_) {
+    const DynamicsScene scene = dynamics_of_frame(forces_->scene, number);
+    masses_.set_forces(queue, forces_->network, springs::dynamics_of(scene, forces_->network));
+    masses_.push(queue, springs::pushes(forces_->network, *forces_->mesh, scene.poke));
+  }
   std::vector<cl::Event> launches;
   if (adaptive_)
     adaptive_->advance(queue, masses_, events ? &launches : nullptr);

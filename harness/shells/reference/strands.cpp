@@ -8,6 +8,7 @@
 
 #include "harness/parallel.hpp"
 #include "harness/prepare/strands.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {
@@ -41,14 +42,31 @@ Strand rest(const FrameInput& input, std::size_t face) {
   return {glm::dvec3(input.strands.anchor[face]), glm::dvec3(0.0)};
 }
 
+FrameForces::FrameForces(const FrameInput& input, int first, int frames)
+    : always_(input.scene.dynamics), first_(std::size_t(first)) {
+  if (!forces_change(input.scene)) return;
+  for (int i = 0; i < frames; ++i) frame_.push_back(dynamics_of_frame(input.scene, first + i));
+}
+
+const DynamicsScene& FrameForces::at(std::size_t substep) const {
+  return frame_.empty() ? always_ : frame_.at(substep / std::size_t(always_.substeps) - first_);
+}
+
 Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::size_t index) {
-  const DynamicsScene& dynamics = input.scene.dynamics;
+  const int frame = int(index / std::size_t(input.scene.dynamics.substeps));
+  return substep(input, FrameForces(input, frame, 1), face, strand, index);
+}
+
+Strand substep(const FrameInput& input, const FrameForces& forces, std::size_t face, Strand strand,
+               std::size_t index) {
+  const DynamicsScene& dynamics = forces.at(index);
+  const glm::dvec2 phase(forces.change() ? gust_phase(glm::dvec3(input.strands.root[face]), dynamics.wind)
+                                         : input.strands.phase[face]);
   const double mass = double(dynamics.mass), dt = double(dynamics.step);
   const glm::dvec3 anchor(input.strands.anchor[face]);
-  const glm::dvec3 force =
-      double(dynamics.stiffness) * (anchor - strand.tip) - double(dynamics.drag) * strand.velocity +
-      mass * glm::dvec3(dynamics.gravity) +
-      wind_force(dynamics.wind, glm::dvec2(input.strands.phase[face]), double(index) * dt);
+  const glm::dvec3 force = double(dynamics.stiffness) * (anchor - strand.tip) -
+                           double(dynamics.drag) * strand.velocity + mass * glm::dvec3(dynamics.gravity) +
+                           wind_force(dynamics.wind, phase, double(index) * dt);
   strand.velocity += dt / mass * force;
   strand.tip += dt * strand.velocity;
   const glm::dvec3 normal(input.strands.normal[face]);
@@ -58,17 +76,26 @@ Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::si
   return constrain(strand, normal, double(strand_length(input.scene.fur, input.style, face)));
 }
 
-Strand simulate(const FrameInput& input, std::size_t face, int frames) {
+namespace {
+
+Strand simulated(const FrameInput& input, const FrameForces& forces, std::size_t face, int frames) {
   const std::size_t count = std::size_t(std::max(0, frames)) * std::size_t(input.scene.dynamics.substeps);
   Strand strand = rest(input, face);
-  for (std::size_t i = 0; i < count; ++i) strand = substep(input, face, strand, i);
+  for (std::size_t i = 0; i < count; ++i) strand = substep(input, forces, face, strand, i);
   return strand;
 }
 
+}  // namespace
+
+Strand simulate(const FrameInput& input, std::size_t face, int frames) {
+  return simulated(input, FrameForces(input, 0, frames), face, frames);
+}
+
 std::vector<Strand> simulate(const FrameInput& input, int frames) {
+  const FrameForces forces(input, 0, frames);
   std::vector<Strand> strands(input.strands.anchor.size());
   for_each_index(strands.size(), 256,
-                 [&](std::size_t face) { strands[face] = simulate(input, face, frames); });
+                 [&](std::size_t face) { strands[face] = simulated(input, forces, face, frames); });
   return strands;
 }
 

@@ -24,9 +24,26 @@ Strand constrain(Strand strand, const glm::dvec3& normal, double length);
 /// Returns the strand of `face` at rest. The tip is at the strand's anchor and has the velocity 0.
 Strand rest(const FrameInput& input, std::size_t face);
 
+/// The forces of the simulated frames of a scene, from the frame number `first` on. A scene whose forces have
+/// keyframes has other forces in each frame.
+class FrameForces {
+ public:
+  FrameForces(const FrameInput& input, int first, int frames);
+  /// Returns the dynamics in a substep, which is numbered from rest.
+  const DynamicsScene& at(std::size_t substep) const;
+  bool change() const { return !frame_.empty(); }
+
+ private:
+  const DynamicsScene& always_;
+  std::size_t first_;
+  std::vector<DynamicsScene> frame_;  ///< empty if all frames have the same forces
+};
+
 /// Advances `strand`, the strand of the triangle `face`, by one substep. Integrates S Eq. 2 by semi-implicit
 /// Euler, moves the strand out of the colliders, and then applies S Eq. 3. `index` is the number of earlier
-/// substeps since rest. `index` determines the time in the wind force.
+/// substeps since rest. `index` determines the time in the wind force, and the frame.
+Strand substep(const FrameInput& input, const FrameForces& forces, std::size_t face, Strand strand,
+               std::size_t index);
 Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::size_t index);
 
 /// Simulates one strand for `frames` frames from rest. A frame has scene.dynamics.substeps substeps.

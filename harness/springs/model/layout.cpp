@@ -64,6 +64,14 @@ void set3(std::vector<float>& table, std::size_t place, std::size_t columns, std
 
 }  // namespace
 
+void set_phases(const SpringNetwork& network, const Wind& wind, Layout& layout) {
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    const double phase = gust_phase(wind, network.gust_at[i]);
+    layout.sites[column_of(layout.place[i], SITE_COLUMNS, SITE_PHASE_COS)] = float(std::cos(phase));
+    layout.sites[column_of(layout.place[i], SITE_COLUMNS, SITE_PHASE_SIN)] = float(std::sin(phase));
+  }
+}
+
 Layout lay_out(const SpringNetwork& network, const Wind& wind) {
   Layout layout;
   const std::size_t sticks = network.sticks();
@@ -86,16 +94,15 @@ Layout lay_out(const SpringNetwork& network, const Wind& wind) {
   const std::size_t places = layout.places();
   layout.sites.assign(SITE_COLUMNS * places, 0);
   layout.offset.assign(3 * places, 0);
-  const auto stand = [&](std::size_t place, glm::vec3 root, glm::vec3 normal, double phase) {
+  const auto stand = [&](std::size_t place, glm::vec3 root, glm::vec3 normal) {
     set3(layout.sites, place, SITE_COLUMNS, SITE_ROOT, root);
     set3(layout.sites, place, SITE_COLUMNS, SITE_NORMAL, normal);
-    layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_COS)] = float(std::cos(phase));
-    layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_SIN)] = float(std::sin(phase));
+    layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_COS)] = 1;
     set3(layout.offset, place, 3, 0, network.length * normal);
   };
-  for (std::size_t place = 0; place < places; ++place) stand(place, {0, 0, 0}, {0, 1, 0}, 0);
-  for (std::size_t i = 0; i < sticks; ++i)
-    stand(layout.place[i], network.mass[i], network.normal[i], gust_phase(wind, network.gust_at[i]));
+  for (std::size_t place = 0; place < places; ++place) stand(place, {0, 0, 0}, {0, 1, 0});
+  for (std::size_t i = 0; i < sticks; ++i) stand(layout.place[i], network.mass[i], network.normal[i]);
+  set_phases(network, wind, layout);
   if (network.kind.shared_edges()) lay_out_springs(around, layout);
   if (network.kind.own_edges()) {
     layout.sides.assign(places, 0);

@@ -46,6 +46,9 @@ constexpr std::size_t column_of(std::size_t place, std::size_t columns, std::siz
   return (place / 16 * columns + column) * 16 + place % 16;
 }
 
+/// Sets the phases of the gusts in the layout of `network`.
+void set_phases(const SpringNetwork& network, const Wind& wind, Layout& layout);
+
 /// Computes the layout of `network`. `wind` determines the phases of the gusts.
 Layout lay_out(const SpringNetwork& network, const Wind& wind);
 

@@ -126,6 +126,15 @@ void MassSprings::retime(float step) {
   known_from_ = known_to_ = 0;
 }
 
+void MassSprings::set_forces(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics) {
+  springs::check(dynamics);
+  dynamics_.gravity = dynamics.gravity;
+  dynamics_.wind = dynamics.wind;
+  known_from_ = known_to_ = 0;
+  set_phases(network, dynamics_.wind, layout_);
+  buffers_.sites.write(queue, layout_.sites);
+}
+
 void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& force) {
   params_.pushed = 0;
   if (force.empty()) return;

@@ -153,6 +153,10 @@ class MassSprings {
   /// this count. Throws InputError if check() of dynamics.hpp rejects the new time step.
   void retime(float step);
 
+  /// Sets gravity and wind of all later steps. `network` is that of the constructor. Throws InputError if
+  /// check() of dynamics.hpp rejects `dynamics`.
+  void set_forces(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics);
+
   /// Sets the local forces on the tops, one vector per stick, in newtons, in the object's frame; empty: none.
   /// Throws InputError if the size is wrong or a force is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);

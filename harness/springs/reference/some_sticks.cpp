@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "harness/error.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/springs/model/scene.hpp"
 #include "harness/springs/reference/reference.hpp"
 
@@ -61,28 +62,39 @@ std::vector<std::uint32_t> spread(const SpringNetwork& network, std::size_t coun
   return found;
 }
 
-reference::State moved_sticks(const SpringNetwork& network, const DynamicsScene& scene,
-                              std::vector<glm::dvec3> push, int frames) {
-  if (scene.tolerance > 0)
-    throw InputError(fmt::format(
-        "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons with it (pelage run, pelage check) need dynamics.tolerance = 0",
-        scene.tolerance));
-  const Dynamics dynamics = dynamics_of(scene, network);
-  const reference::System system{network, dynamics, std::move(push)};
-  return reference::after(system, reference::rest(network), 0, long(frames) * scene.substeps);
+/// Moves a part of the sticks of `whole` by frames `first` to `first` + `frames` - 1 with the forces `scene`.
+reference::State moved_sticks(const SpringNetwork& whole, const Mesh& mesh, const SpringNetwork& part,
+                              const std::vector<std::uint32_t>& sticks, const DynamicsScene& scene,
+                              reference::State state, int first, int frames) {
+  const std::vector<glm::vec3> push = pushes(whole, mesh, scene.poke);
+  std::vector<glm::dvec3> own;
+  if (!push.empty())
+    for (const std::uint32_t stick : sticks) own.emplace_back(push[stick]);
+  const Dynamics dynamics = dynamics_of(scene, part);
+  const reference::System system{part, dynamics, std::move(own)};
+  return reference::after(system, std::move(state), long(first) * scene.substeps,
+                          long(frames) * scene.substeps);
 }
 
 }  // namespace
 
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count) {
+  const Scene& scene = input.scene;
+  if (scene.dynamics.tolerance > 0)
+    throw InputError(fmt::format(
+        "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons with it (pelage run, pelage check) need dynamics.tolerance = 0",
+        scene.dynamics.tolerance));
   const SpringNetwork network = network_of(input);
-  const std::vector<glm::vec3> push = pushes(network, *input.mesh, input.scene.dynamics.poke);
   SomeSticks some{spread(network, count), {}, {}};
-  std::vector<glm::dvec3> own;
-  if (!push.empty())
-    for (const std::uint32_t stick : some.stick) own.emplace_back(push[stick]);
   const SpringNetwork part = part_of(network, some.stick);
-  const reference::State state = moved_sticks(part, input.scene.dynamics, std::move(own), frames);
+  const auto moved = [&](const DynamicsScene& forces, reference::State from, int first, int number) {
+    return moved_sticks(network, *input.mesh, part, some.stick, forces, std::move(from), first, number);
+  };
+  reference::State state = reference::rest(part);
+  if (!forces_change(scene))
+    state = moved(scene.dynamics, std::move(state), 0, frames);
+  else
+    for (int i = 0; i < frames; ++i) state = moved(dynamics_of_frame(scene, i), std::move(state), i, 1);
   some.offset = reference::offsets(part, state);
   for (std::size_t i = 0; i < part.sticks(); ++i) some.velocity.push_back(state.velocity[part.top(i)]);
   return some;

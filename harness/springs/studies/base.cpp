@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/error.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/springs/model/scene.hpp"
 
@@ -17,6 +18,10 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
     throw InputError(fmt::format(
         "{}: dynamics.topology is {}; this experiment needs sticks, prisms, separable-sticks or separable-prisms",
         which.name, scene.dynamics.topology));
+  if (forces_change(scene))
+    throw InputError(fmt::format(
+        "{}: this pipeline does not draw, and uses no keyframes of forces; use shells or reference",
+        which.name));
   return scene;
 }
 

@@ -69,6 +69,15 @@ void Chains::set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinF
   skin_->last_step = steps_ + substeps;
 }
 
+void Chains::set_forces(const cl::Queue& queue, const std::vector<Chain>& chains,
+                        const ChainDynamics& dynamics) {
+  check(dynamics);
+  dynamics_.gravity = dynamics.gravity;
+  dynamics_.wind = dynamics.wind;
+  known_from_ = known_to_ = 0;
+  constants_.write(queue, strand_columns(chains, dynamics.wind));
+}
+
 void Chains::enqueue(const cl::Queue& queue, int substeps, cl::PhaseEvents* events) {
   if (substeps <= 0) throw InputError(fmt::format("substeps: {}; the number must be at least 1", substeps));
   if (skin_ && (steps_ < skin_->first_step || steps_ + substeps > skin_->last_step))

@@ -24,6 +24,10 @@ class Chains {
   /// simulate, unless it is null.
   void enqueue(const cl::Queue& queue, int substeps, cl::PhaseEvents* events = nullptr);
 
+  /// Sets gravity and wind of all later steps. `chains` are those of the constructor. Throws InputError if a
+  /// value is not valid.
+  void set_forces(const cl::Queue& queue, const std::vector<Chain>& chains, const ChainDynamics& dynamics);
+
   /// Sets the states of all strands. `steps` is the number of steps from the start to these states. Throws
   /// InputError if the number of states is wrong.
   void set(const cl::Queue& queue, const std::vector<ChainState>& states, long steps = 0);

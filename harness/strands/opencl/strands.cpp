@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "harness/error.hpp"
+#include "harness/scene/keyframes.hpp"
 
 namespace pelage::strands {
 Drawing drawing_named(const std::string& name) {
@@ -35,8 +36,15 @@ void Strands::follow_skin() {
   followed_ = true;
 }
 
+void Strands::use_forces() {
+  if (!forces_change(input_->scene)) return;
+  const int frame = int(chains_.steps() / input_->scene.dynamics.substeps);
+  chains_.set_forces(queue_, input_->fur.chains, dynamics_of_frame(*input_, frame));
+}
+
 void Strands::move(cl::PhaseEvents* events) {
   followed_ = false;
+  use_forces();
   chains_.enqueue(queue_, input_->scene.dynamics.substeps, events);
 }
 
@@ -77,6 +85,7 @@ long Strands::substep() {
   // This substep is the first half of the last frame's motion once more. The next frame begins where the last
   // one ended.
   if (skin_) chains_.set_skin(queue_, before_, skin_->frame(), 2);
+  use_forces();
   chains_.enqueue(queue_, 1);
   queue_.finish();
   return index;

@@ -6,6 +6,7 @@
 #include "harness/error.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/groom/fur.hpp"
 
@@ -167,6 +168,15 @@ std::vector<glm::vec3> rest_of(const Fur& fur) {
 }
 
 }  // namespace
+
+ChainDynamics dynamics_of_frame(const StrandInput& input, int frame) {
+  ChainDynamics dynamics = input.dynamics;
+  if (!forces_change(input.scene)) return dynamics;
+  const DynamicsScene forces = pelage::dynamics_of_frame(input.scene, frame);
+  dynamics.gravity = forces.gravity;
+  dynamics.wind = springs::wind_of(forces.wind, forces.mass * dynamics.drag);
+  return dynamics;
+}
 
 SkinFrames::SkinFrames(const Scene& scene, std::shared_ptr<const Mesh> mesh, const Fur& fur,
                        std::shared_ptr<const SkinSurface> surface)

@@ -42,6 +42,9 @@ Look look_of(const Scene& scene);
 /// by wind.strength / dynamics.mass, as it accelerates the strands of the other pipelines.
 ChainDynamics chain_dynamics(const Scene& scene);
 
+/// Returns the dynamics of the simulated frame number `frame`, from 0 (dynamics_of_frame() of a scene).
+ChainDynamics dynamics_of_frame(const StrandInput& input, int frame);
+
 /// The skin of a mesh that moves and deforms, for one drawn frame after the other.
 class SkinFrames {
  public:

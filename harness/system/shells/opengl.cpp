@@ -34,9 +34,10 @@ class ShellsInOpenGl : public InOpenGl<FrameInput, OpenGlOptions> {
   void advance(int frames) override {
     const std::size_t substeps = std::size_t(frames) * std::size_t(input_->scene.dynamics.substeps);
     const std::size_t first = std::size_t(frames_) * std::size_t(input_->scene.dynamics.substeps);
+    const reference::FrameForces forces(*input_, frames_, frames);
     for_each_index(strands_.size(), 256, [&](std::size_t face) {
       for (std::size_t i = 0; i < substeps; ++i)
-        strands_[face] = reference::substep(*input_, face, strands_[face], first + i);
+        strands_[face] = reference::substep(*input_, forces, face, strands_[face], first + i);
     });
     frames_ += frames;
   }
