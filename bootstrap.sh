@@ -96,12 +96,11 @@ build() {
 }
 
 table1() {
-  local folder='' preset=(--preset quick) reading=(--reading paper) argument previous='' report=yes host
+  local folder='' preset=(--preset quick) argument previous='' report=yes host
   host=-$(uname -n)
   for argument in "$@"; do
     case $argument in
       --preset | --preset=*) preset=() ;;
-      --reading | --reading=*) reading=() ;;
       --anonymous) host= ;;
       --dry-run | -h | --help) report=no ;;
       -o=* | --output=* | --resume=*) folder=${argument#*=} ;;
@@ -115,7 +114,7 @@ table1() {
     output=(-o "$folder")
   fi
   if [[ $report == no ]]; then
-    "$binary" run silva2010-table1 "${preset[@]}" "${reading[@]}" "$@"
+    "$binary" run silva2010-table1 "${preset[@]}" "$@"
     return
   fi
   # --filter, --model and --shard choose other meshes than all of the experiment file.
@@ -126,7 +125,7 @@ table1() {
   fi
   say "timing Table 1 into $folder"
   local status=0
-  "$binary" run silva2010-table1 "${preset[@]}" "${reading[@]}" "${output[@]}" "$@" || status=$?
+  "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
   # `pelage run` exits with status 1 if a case has no time; the report then gives the reason. Any other error
   # ends this script.
   if ((status == 130 || status == 143)); then

@@ -25,7 +25,7 @@ least = 20
 most = 20
 precision = 1.0
 limit_s = 600.0
-axes.reading = ["default"]
+axes.reading = ["paper"]
 """
 
 

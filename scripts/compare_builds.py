@@ -16,6 +16,7 @@ import argparse
 import json
 import math
 import os
+import re
 import statistics
 import subprocess
 import sys
@@ -34,7 +35,7 @@ least = {frames}
 most = {frames}
 precision = 1.0
 limit_s = 600.0
-axes.reading = ["default"]
+axes.reading = ["{reading}"]
 """
 
 
@@ -117,7 +118,8 @@ def main():
         scratch = Path(scratch_name)
         for side, tree in trees.items():
             text = (tree / "experiments/silva2010-table1.toml").read_text()
-            (scratch / f"{side}.toml").write_text(text + PRESET.format(frames=options.frames))
+            reading = re.search(r'^reading = \["([^"]+)"', text, re.MULTILINE)[1]    # the tree's first reading
+            (scratch / f"{side}.toml").write_text(text + PRESET.format(frames=options.frames, reading=reading))
         shim = build_shim(scratch) if options.rounds > 0 else None
         for number in range(options.rounds):
             order = [SIDES[(number + k) % 3] for k in range(3)]

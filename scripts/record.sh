@@ -9,7 +9,7 @@ pelage=${PELAGE:-build/release/pelage}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$pelage" run silva2010-table1 --anonymous -o "$work/run" "$@" >"$work/folder"
+"$pelage" run silva2010-table1 --preset recorded --anonymous -o "$work/run" "$@" >"$work/folder"
 mkdir -p results/silva2010-table1
 cp "$work"/run/silva2010-table1/*.jsonl results/silva2010-table1/
 "$pelage" report "$work/run" -o "$work/report" | sed 's/[[:blank:]]*$//' >"$work/table"

@@ -101,7 +101,7 @@ strands_sheet() (
 # Experiments whose times decide claims run in three processes, so that the claims use the measured difference between
 # processes.
 part table1 scripts/record.sh --repeat 3
-record wet wetfur2010-table1 --repeat 3
+record wet wetfur2010-table1 --preset recorded --repeat 3
 record layers layers --repeat 3
 record update-time banisch2006-{update-time,equal-steps} --repeat 3
 record topologies topology-table1 --repeat 3

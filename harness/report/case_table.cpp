@@ -266,7 +266,7 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
   if (several_hosts) text += ", host " + any.host;
   for (const std::string& axis : axes_of(cells)) {
     const std::string value = any.axis(axis);
-    if (value.empty() || (axis == "reading" && value == "default") ||
+    if (value.empty() || (axis == "reading" && is_usual_reading(value)) ||
         !shared([&](const Cell& c) { return c.axis(axis); }))
       continue;
     text += ", ";
@@ -318,7 +318,7 @@ std::string name_of(const Cell& cell, const std::string& but) {
   std::ranges::stable_sort(axes, {}, [](const auto& axis) { return rank(axis.first); });
   std::string text;
   for (const auto& [axis, value] : axes) {
-    if (axis == "variant" || axis == but || (axis == "reading" && value == "default")) continue;
+    if (axis == "variant" || axis == but || (axis == "reading" && is_usual_reading(value))) continue;
     text += text.empty() ? "" : ", ";
     // A word such as "sticks" names itself, but a number needs the name of its axis.
     text += number_of(value) ? with_value(axis_column(axis), value) : value;

@@ -62,7 +62,7 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts);
 void sort_cells(std::vector<Cell>& cells);
 
 /// Returns the values of the cell's axes as text, for example "torus, curl.radius 0.02, 16 layers, 800x600".
-/// A number has the name of its axis. The text does not contain the variant, nor the reading "default", nor
+/// A number has the name of its axis. The text does not contain the variant, nor a usual reading, nor
 /// the axis `but`.
 std::string name_of(const Cell& cell, const std::string& but = "");
 

@@ -134,9 +134,13 @@ std::string Cell::axis(const std::string& key) const {
   return value_at(axes, key);
 }
 
+bool is_usual_reading(std::string_view value) {
+  return value.empty() || value == "paper" || value == "default";
+}
+
 std::string Cell::reading() const {
   const std::string value = axis("reading");
-  return value.empty() ? "default" : value;
+  return is_usual_reading(value) ? "" : value;
 }
 
 const Metric* Cell::metric(const std::string& name) const {

@@ -12,6 +12,9 @@
 
 namespace pelage {
 
+/// True for a value of the axis "reading" that titles and names leave out.
+bool is_usual_reading(std::string_view value);
+
 struct Cell {
   std::string experiment, case_name, variant, device, host;
   std::map<std::string, std::string> axes, overrides;
@@ -43,7 +46,8 @@ struct Cell {
   /// Hashes of the picture files, from the rows. Empty for rows of earlier versions.
   std::set<std::string> picture_hashes;
   std::set<std::string> pixel_hashes;  ///< hashes of the pixels of the timed pictures; empty without pictures
-  /// Value of the axis "reading"; "default" if the cell has no such axis.
+  /// Value of the axis "reading"; "" for the usual readings: "paper", "default" of rows of earlier versions,
+  /// and cells without this axis.
   std::string reading() const;
   std::string axis(const std::string& key) const;  ///< value of the axis; "" if the cell has no such axis
   const Metric* metric(const std::string& name) const;  ///< null if the cell has no such metric

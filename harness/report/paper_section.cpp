@@ -77,8 +77,8 @@ Section paper_section(std::vector<Cell> cells, const std::string& stem, const So
                                {{"layers"}, {"model"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
   Table& table = section.table;
   add_remarks(table, mark_remarks(cells));
-  if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
-  if (any.reading() != "default") table.stem += "-" + any.reading();
+  if (!any.reading().empty()) table.title += ", " + any.reading() + " reading";
+  if (!any.reading().empty()) table.stem += "-" + any.reading();
   if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
   View view = view_of(cells);
   if (view.x.empty() && has_column(table, "triangles")) {

@@ -41,10 +41,14 @@ std::string mean_interval_text(const std::vector<const Cell*>& cells) {
                      means.size());
 }
 
-/// Returns a sentence about the mean and the minimum of the ratios for each value of the axis "reading".
+/// Returns a sentence about the mean and the minimum of the ratios for each reading and value of the axis
+/// "effects".
 std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   std::map<std::string, std::vector<const Cell*>> readings;
-  for (const Cell& c : cells) readings[c.reading()].push_back(&c);
+  for (const Cell& c : cells) {
+    const std::string effects = c.axis("effects") == "none" ? "without effects" : "";
+    readings[c.reading() + (c.reading().empty() || effects.empty() ? "" : ", ") + effects].push_back(&c);
+  }
   std::vector<std::string> sentences;
   for (const auto& [reading, members] : readings) {
     std::vector<double> ratios;
@@ -55,7 +59,7 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
         known.push_back(c);
       }
     const auto least = std::ranges::min_element(ratios);
-    const std::string name = reading == "default" ? "" : reading + ": ";
+    const std::string name = reading.empty() ? "" : reading + ": ";
     sentences.push_back(
         !known.empty()
             ? fmt::format(
@@ -66,22 +70,6 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
                           members.size()));
   }
   return sentences;
-}
-
-/// Returns a sentence about the cost of curls and clumps: the frame time with `reading = "default"` divided
-/// by that with `reading = "plain"`, which has neither. Returns "" if no case was timed with both.
-std::string overhead_of(const std::vector<Cell>& cells) {
-  std::vector<double> ours, opengl;
-  for (const Cell& coat : cells) {
-    const Cell* plain = coat.reading() == "default" ? counterpart(cells, coat, "reading", "plain") : nullptr;
-    if (!plain || !coat.phase_ms.contains("opengl") || !plain->phase_ms.contains("opengl")) continue;
-    ours.push_back(coat.median_ms / plain->median_ms);
-    opengl.push_back(coat.phase_ms.at("opengl") / plain->phase_ms.at("opengl"));
-  }
-  if (ours.empty()) return {};
-  return fmt::format(
-      "Frames with curls and clumps take {:.2f} times the time of plain shells in OpenCL, and {:.2f} times in OpenGL (geometric means of {} cells).",
-      geometric_mean(ours), geometric_mean(opengl), ours.size());
 }
 
 }  // namespace
@@ -102,14 +90,13 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
   const auto renderer = std::ranges::find_if(cells, [](const Cell& c) { return !c.renderer.empty(); });
   Section section = section_of(
       cells, columns, stem + "-ratio", sources,
-      {{"reading"}, {"model"}, {"layers", "size"}, {"opengl_ratio"}},
+      {{"reading", "effects"}, {"model"}, {"layers", "size"}, {"opengl_ratio"}},
       {fmt::format(
           "Time of the paper's pipeline ({}) divided by ours, for the same picture in the same round: median over the rounds, and its 95% interval.",
           renderer == cells.end() ? "OpenGL" : renderer->renderer)});
   Table& table = section.table;
   add_remarks(table, mark_remarks(cells));
   add_remarks(table, means_of(cells));
-  add_remarks(table, {overhead_of(cells)});
   View view = view_of(cells);
   if (view == View{})
     view = {.x = has_column(table, "model") ? "model" : "",

@@ -116,7 +116,7 @@ void copy_pictures(Report& report, const fs::path& folder) {
       return std::pair(-std::atof(c->axis("layers").c_str()), std::atof(c->axis("size").c_str()));
     });
     std::string name = experiment;
-    for (const std::string& part : {model, reading == "default" ? "" : reading, changes})
+    for (const std::string& part : {model, reading, changes})
       if (!part.empty()) name += "-" + part;
     const std::string file = file_name_of(name + ".png");
     std::error_code error;

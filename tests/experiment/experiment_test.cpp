@@ -16,9 +16,9 @@ Experiment table1() {
   return read_experiment(kExperiments / "silva2010-table1.toml");
 }
 
-void read_text(const std::string& text) {
+Experiment read_text(const std::string& text) {
   const test::Folder folder;
-  read_experiment(folder.write("e.toml", text));
+  return read_experiment(folder.write("e.toml", text));
 }
 
 std::string refusal_of(const std::string& text) {
@@ -86,7 +86,7 @@ TEST(Experiment, LaterSettingsWin) {
 
 TEST(Experiment, CasesHaveTheReadingOfTheirAxis) {
   const Experiment e = table1();
-  for (const Case& c : cases_of(e, preset_of(e, "quick"))) {
+  for (const Case& c : cases_of(e, preset_of(e, "recorded"))) {
     const Scene scene = scene_of(e, c);
     const bool paper = c.axes.at("reading") == "paper";
     EXPECT_EQ(c.name.ends_with("-pelage"), !paper) << c.name;
@@ -95,9 +95,10 @@ TEST(Experiment, CasesHaveTheReadingOfTheirAxis) {
     EXPECT_EQ(scene.shading.lights.size(), paper ? 1u : 2u) << c.name;
     EXPECT_EQ(scene.curl.radius, c.axes.at("model") == "horse" ? .005f : .012f) << c.name;
   }
-  const std::vector<Case> paper = cases_of(e, preset_of(e, "quick"), Overrides{.reading = "paper"});
-  EXPECT_EQ(paper.size(), 32u);
-  for (const Case& c : paper) EXPECT_TRUE(c.published && c.overrides.empty()) << c.name;
+  const std::vector<Case> pelage = cases_of(e, preset_of(e, "quick"), Overrides{.reading = "pelage"});
+  EXPECT_EQ(pelage.size(), 32u);
+  for (const Case& c : pelage)
+    EXPECT_TRUE(c.published && c.overrides.empty() && c.name.ends_with("-pelage")) << c.name;
 }
 
 // An experiment of a user's own needs no tables. A table of another axis overrides the reading.

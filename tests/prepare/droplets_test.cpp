@@ -263,6 +263,7 @@ TEST(Droplets, WithRadiiOnTheSurfaceHaveTheirWaterAndReach) {
   wetness.droplets[0] = {glm::vec2(0.2f), {}, 0.1f, 0.5f, 0};
   wetness.random = 0;
   wetness.unit = "surface";
+  wetness.seams = "joined";
   const auto drops = make_droplets(mesh, weld(*mesh), wetness);
   ASSERT_EQ(drops.size(), 1u);
   EXPECT_NEAR(drops[0].radius, 0.1f * test::chart_scale, 1e-6f);

@@ -11,7 +11,7 @@ namespace {
 
 const char* const gust = R"(
 [dynamics]
-step = 0.005
+step = 0.0078125
 substeps = 4
 
 [keyframes]
@@ -23,11 +23,12 @@ substeps = 4
 TEST(ForceKeyframes, HaveTheValueOfTheBeginningOfEachFrame) {
   const Scene scene = parse_scene(gust, "s.toml");
   EXPECT_TRUE(forces_change(scene));
-  for (const auto& [frame, strength] : {std::pair(0, .25), {1, .35}, {5, .75}, {8, .3}, {10, .0}, {99, .0}})
+  for (const auto& [frame, strength] :
+       {std::pair(0, .25), {1, .40625}, {3, .71875}, {4, .5625}, {7, .0}, {99, .0}})
     EXPECT_NEAR(dynamics_of_frame(scene, frame).wind.strength, strength, 1e-6) << frame;
-  EXPECT_NEAR(dynamics_of_frame(scene, 10).wind.direction.x, .6, 1e-6);
-  EXPECT_EQ(dynamics_of_frame(scene, 10).step, .005f);
-  test::expect_has(test::refusal([&] { dynamics_of_frame(scene, 25); }),
+  EXPECT_NEAR(dynamics_of_frame(scene, 8).wind.direction.x, .5, 1e-6);
+  EXPECT_EQ(dynamics_of_frame(scene, 10).step, .0078125f);
+  test::expect_has(test::refusal([&] { dynamics_of_frame(scene, 16); }),
                    "dynamics.wind.direction: points nowhere");
 }
 

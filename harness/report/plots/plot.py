@@ -52,7 +52,7 @@ class Keys:
 
     def text(self, columns, values):
         parts = [self.labels.get(c, "{}").replace("{}", re.sub(r"^(\d+)x(\d+)$", "\\1 × \\2", v))
-                 for c, v in zip(columns, values) if not (c == "reading" and v == "default")]
+                 for c, v in zip(columns, values) if not (c == "reading" and v in ("default", "paper"))]
         return ", ".join(p for p in parts if p)
 
 

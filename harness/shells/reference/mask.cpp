@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "harness/parallel.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/shells/reference/layers.hpp"
 
@@ -314,10 +315,38 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
     return result;
   }
   const Clump there = look(root);
-  if (glm::length(uv - here.centre) > here.radius) result.discarded = true;  // a different clump
-  if (!(there.wetness > 0.0)) result.discarded = true;                       // a dry area
-  if (scene.cells == "separate" && mask.cell(there) != mask.cell(here)) result.discarded = true;
+  result.outside = glm::length(uv - here.centre) > here.radius;
+  result.dry = !(there.wetness > 0.0);
+  result.discarded =
+      result.outside || result.dry || (scene.cells == "separate" && mask.cell(there) != mask.cell(here));
   return result;
+}
+
+Discards discards(const FrameInput& input, int frames) {
+  const Mask mask = wetness_mask(input, frames);
+  const int layers = input.scene.fur.layers;
+  std::vector<Discards> row(std::size_t(mask.size));
+  std::vector<double> wet(row.size());
+  for_each_index(row.size(), 4, [&](std::size_t j) {
+    for (int i = 0; i < mask.size; ++i) {
+      const glm::dvec2 uv = glm::dvec2(i + .5, double(j) + .5) / double(mask.size);
+      if (!(mask.nearest(uv).wetness > 0.0)) continue;
+      for (int n = 0; n < layers; ++n) {
+        const Displacement found = clump_displacement(input, mask, uv, n);
+        ++wet[j];
+        row[j].outside += found.outside;
+        row[j].dry += found.dry && !found.outside;
+      }
+    }
+  });
+  Discards all;
+  double fragments = 0;
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    all.outside += row[j].outside;
+    all.dry += row[j].dry;
+    fragments += wet[j];
+  }
+  return fragments > 0 ? Discards{all.outside / fragments, all.dry / fragments} : all;
 }
 
 double soaked_share(const SoakedScene& soaked, double rho) {

@@ -80,6 +80,8 @@ struct Placement {
 /// The result of S Algorithm 2 for a fragment: whether it is discarded, and the shift of its texture
 /// coordinates.
 struct Displacement {
+  bool outside = false;  ///< outside the radius of the texel's clump (the first test of the algorithm)
+  bool dry = false;      ///< the mask is dry at the displaced position (the second test)
   bool discarded = false;
   /// With clump.cells "consistent", in a wet texel: where the clumps in the four texels around the strand's
   /// root draw the strand. The weights add up to 1.
@@ -102,6 +104,13 @@ struct Displacement {
 };
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
                                 Mutant mutant = Mutant::none);
+
+/// The parts of the wet fur that the two tests of S Algorithm 2 discard, over the centres of the wet texels
+/// and all layers. `dry` does not count what `outside` counts.
+struct Discards {
+  double outside = 0, dry = 0;
+};
+Discards discards(const FrameInput& input, int frames = 1);
 
 /// Returns S, the part of fur of the wetness rho (0 to 1) that the film covers, 0 to 1.
 double soaked_share(const SoakedScene& soaked, double rho);

@@ -62,8 +62,12 @@ class ShellsOnDevice : public OnDevice<FrameInput, Shells, ShellOptions> {
     row.metrics["per_mask_ms"] = {mask.after_mask, "ms"};
     row.metrics["covered_fragments"] = {double(pipeline_->count()), "fragments"};
     row.metrics["wet_share"] = {wet_share(*input_->mesh, pipeline_->mask(), input_->scene.wetness.size), "1"};
-    if (!input_->droplets.empty())
+    if (!input_->droplets.empty()) {
       row.metrics["blended_share"] = {reference::blended_share(*input_, frames_simulated()), "1"};
+      const reference::Discards discards = reference::discards(*input_, frames_simulated());
+      row.metrics["outside_share"] = {discards.outside, "1"};
+      row.metrics["dry_share"] = {discards.dry, "1"};
+    }
     if (has_springs(input_->scene.dynamics)) {
       const springs::SpringNetwork network = springs::network_of(*input_);
       row.metrics["masses"] = {double(network.mass.size()), "masses"};

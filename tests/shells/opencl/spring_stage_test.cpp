@@ -237,7 +237,7 @@ struct Stages {
         wet(queue, input),
         raster(queue, input, geometry, wet, {"pixel", {}}),
         springs(queue, input, geometry, 1) {
-    springs.frame(queue, nullptr);
+    springs.frame(queue, 0, nullptr);
   }
   static FrameInput moved_input() {
     Scene scene = windy_scene("sticks");
