@@ -218,9 +218,11 @@ def networks():
 def reading(switch):
     """Returns the scene key, with its value, that a value of the axis `switch` changes."""
     with (ROOT / "experiments/readings.toml").open("rb") as file:
-        [(group, keys)] = tomllib.load(file)["switch"][switch].items()
-    [(key, value)] = keys.items()
-    return f"`{group}.{key} = {json.dumps(value)}`"
+        switches = tomllib.load(file)["switch"]
+    if switch not in switches:    # recorded before the key had another meaning
+        return f"`{switch}` (removed)"
+    keys = [f"{group}.{key} = {json.dumps(value)}" for group, values in switches[switch].items() for key, value in values.items()]
+    return f"`{', '.join(keys)}`"
 
 
 def effects():

@@ -212,10 +212,11 @@ fs::path example_scene(const std::string& name) {
 
 Case control_case(const Experiment& experiment, const Case& which) {
   std::vector<Axis> axes;
-  for (const Axis& axis : experiment.axes)
-    axes.push_back(
-        {axis.key,
-         {is_named(axis.key) && axis.key != "reading" ? axis.values.front() : which.axes.at(axis.key)}});
+  for (const Axis& axis : experiment.axes) {
+    const std::string& own = which.axes.at(axis.key);
+    const bool shipped = axis.key == "reading" && std::ranges::count(reading_names, own) > 0;
+    axes.push_back({axis.key, {is_named(axis.key) && !shipped ? axis.values.front() : own}});
+  }
   for (const auto& [key, value] : which.axes)
     if (std::ranges::none_of(axes, [&k = key](const Axis& axis) { return axis.key == k; }))
       axes.push_back({key, {value}});

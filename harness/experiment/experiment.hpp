@@ -152,7 +152,8 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
 Scene scene_of(const Experiment& experiment, const Case& which);
 
 /// Returns the case with the first value, in the experiment file, of each axis whose values are names of
-/// tables, other than model, layers, size, reading and variant. Other axes and --set stay.
+/// tables, other than model, layers, size and variant. Other axes, the readings paper and pelage, and --set
+/// stay.
 Case control_case(const Experiment& experiment, const Case& which);
 
 /// The option --filter: a regular expression in RE2's syntax that selects cases by their names. RE2 matches

@@ -44,7 +44,7 @@ TEST(Baselines, MeetOnTheSceneOfTable1) {
   const std::filesystem::path folder = std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments";
   const Experiment table = read_experiment(folder / "silva2010-table1.toml");
   std::map<std::string, std::string> expected;
-  for (const Case& which : cases_of(table, preset_of(table, "quick")))
+  for (const Case& which : cases_of(table, preset_of(table, "recorded")))
     expected[which.name] = scene_hash(scene_of(table, which));
   const auto compare_with = [&](const char* file, const char* preset, std::size_t cells) {
     const Experiment rivals = read_experiment(folder / file);

@@ -22,11 +22,12 @@ using namespace pictures;
 
 constexpr float length = .1f;
 
-std::shared_ptr<const FrameInput> torus(const std::string& topology, const std::string& keyframes) {
+std::shared_ptr<const FrameInput> forced_torus(const std::string& topology, const std::string& keyframes) {
   const Scene scene = parse_scene(
-      fmt::format("fur.length = {}\nfur.comb = 0.0\nfur.layers = 4\nfur.texture = 16\nimage.width = 16\n"
-                  "image.height = 16\ndynamics.topology = \"{}\"\n[keyframes]\n{}",
-                  length, topology, keyframes),
+      fmt::format(
+          "dynamics.springs.return_weight = 0.4\ndynamics.drag = 0.004\nfur.length = {}\nfur.comb = 0.0\nfur.layers = 4\nfur.texture = 16\nimage.width = 16\n"
+          "image.height = 16\ndynamics.topology = \"{}\"\n[keyframes]\n{}",
+          length, topology, keyframes),
       "s.toml");
   const auto mesh = std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 12, 8));
   return prepare(scene_at(scene, 0), mesh);
@@ -46,7 +47,7 @@ double worst(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
   return tip_errors(double(length), a, b).worst;
 }
 
-std::vector<glm::vec3> tips_after(const std::shared_ptr<const FrameInput>& input, int frames) {
+std::vector<glm::vec3> tips_of(const std::shared_ptr<const FrameInput>& input, int frames) {
   Shells shells(device(), input);
   shells.advance(frames);
   return shells.tips();
@@ -58,15 +59,18 @@ const char* const lively =
     "\"dynamics.wind.gust\" = [[0.0, 0.0], [0.4, 2.0]]\n"
     "\"dynamics.wind.wavelength\" = [[0.0, 0.5], [0.4, 3.0]]\n"
     "\"dynamics.wind.frequency\" = [[0.0, 1.0], [0.4, 5.0]]\n"
-    "\"dynamics.gravity\" = [[0.0, [0, -9.81, 0]], [0.2, [0, 0, 4]]]\n"
+    "\"dynamics.gravity\" = [[0.0, [0, -9.81, 0]], [0.2, [0, 0, 4]]]\n";
+const char* const poked =
     "\"dynamics.poke.radius\" = [[0.0, 0.5]]\n"
     "\"dynamics.poke.point\" = [[0.0, [1, 0, 0]], [0.4, [-1, 0, 0]]]\n"
     "\"dynamics.poke.force\" = [[0.0, [0, 0, 0.01]], [0.3, [0, 0, 0]]]\n";
 
-struct Forces : testing::TestWithParam<const char*> {};
+struct Forces : testing::TestWithParam<const char*> {
+  bool springs = std::string(GetParam()) != "silva";
+};
 
 TEST_P(Forces, MoveTheTipsOfTheReference) {
-  const auto input = torus(GetParam(), lively);
+  const auto input = forced_torus(GetParam(), std::string(lively) + (springs ? poked : ""));
   Shells shells(device(), input);
   for (const int frames : {1, 9, 20}) {  // after 1, 10 and 30 frames
     shells.advance(frames);
@@ -80,15 +84,15 @@ TEST_P(Forces, MoveTheTipsOfTheReference) {
 }
 
 TEST_P(Forces, ThatStayAreThoseOfAPlainScene) {
-  const auto input = torus(GetParam(), "\"dynamics.wind.strength\" = [[0.0, 0.01]]\n");
+  const auto input = forced_torus(GetParam(), "\"dynamics.wind.strength\" = [[0.0, 0.01]]\n");
   auto plain = std::make_shared<FrameInput>(*input);
   plain->scene.keyframes = {};
-  EXPECT_EQ(tips_after(input, 20), tips_after(plain, 20));
+  EXPECT_EQ(tips_of(input, 20), tips_of(plain, 20));
 }
 
 TEST_P(Forces, LetTheFurReturnWhenTheyEnd) {
   const auto input =
-      torus(GetParam(), "\"dynamics.wind.strength\" = [[0.0, 0.03], [1.0, 0.03], [1.001, 0.0]]\n");
+      forced_torus(GetParam(), "\"dynamics.wind.strength\" = [[0.0, 0.03], [1.0, 0.03], [1.001, 0.0]]\n");
   Shells shells(device(), input);
   const std::vector<glm::vec3> rest = reference_tips(*input, 0);
   shells.advance(60);
@@ -105,17 +109,17 @@ TEST(Forces, OfAPokeLeaveTheBitsOfOtherTriangles) {
   const char* const poke =
       "\"dynamics.poke.radius\" = [[0.0, 0.5]]\n\"dynamics.poke.point\" = [[0.0, [1, 0, 0]]]\n"
       "\"dynamics.poke.force\" = [[0.0, [0, 0, 0.0]], [0.1, [0, 0, 0.05]], [0.4, [0, 0, 0]]]\n";
-  const auto poked = torus("separable-prisms", poke);
-  auto alone = std::make_shared<FrameInput>(*poked);
+  const auto pushed = forced_torus("separable-prisms", poke);
+  auto alone = std::make_shared<FrameInput>(*pushed);
   alone->scene.keyframes = {};
   alone->scene.dynamics.poke = {};
-  const std::vector<glm::vec3> a = tips_after(poked, 20), b = tips_after(alone, 20);
+  const std::vector<glm::vec3> a = tips_of(pushed, 20), b = tips_of(alone, 20);
   std::size_t moved = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const std::size_t face = i / 3;
     glm::dvec3 centre(0);
     for (int c = 0; c < 3; ++c)
-      centre += glm::dvec3(poked->mesh->position[poked->mesh->triangle[face][c]]) / 3.0;
+      centre += glm::dvec3(pushed->mesh->position[pushed->mesh->triangle[face][c]]) / 3.0;
     if (glm::distance(centre, glm::dvec3(1, 0, 0)) > .5)
       EXPECT_EQ(a[i], b[i]) << i;
     else

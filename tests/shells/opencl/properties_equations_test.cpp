@@ -223,6 +223,7 @@ TEST(Equations, ShiftsByAClumpAreTheReferences) {
     FrameInput input;
     input.scene.fur.layers = layers;
     input.scene.clump.scale = scale;
+    input.scene.clump.gain = 256;
     input.scene.clump.cells = "literal";
     input.scene.clump.shape = float(std::abs(any()));
     const double w = double(input.scene.clump.shape), rho = std::abs(any()), r = .2 + .1 * any();
@@ -236,7 +237,6 @@ TEST(Equations, ShiftsByAClumpAreTheReferences) {
     reference::Mask mask{1, {{centre, r, rho}}};
     const reference::Displacement expected = reference::clump_displacement(input, mask, centre + away, n);
     const bool converging = std::string_view(scale) == "converge";
-    input.scene.clump.gain = 256;
     const double factor = std::string_view(scale) == "literal" ? 256 * r : r / distance;
     const shim::Shift shift =
         converging ? shim::converging_shift(f(n), f(n) - f(n - 1), rho)
