@@ -13,7 +13,7 @@ namespace {
 constexpr Kind kind_table[] = {Kind::sticks, Kind::prisms, Kind::separable_sticks, Kind::separable_prisms};
 
 constexpr Solver solver_table[] = {Solver::explicit_euler, Solver::backward_euler,
-                                   Solver::semi_implicit_euler, Solver::rk4};
+                                   Solver::semi_implicit_euler, Solver::rk4, Solver::predictor_corrector};
 
 template <class Row>
 std::vector<std::string_view> names_in(std::span<const Row> table) {

@@ -45,12 +45,12 @@ struct Solver {
   std::string_view name;  ///< name in scene files and on the command line
   bool implicit = false;  ///< true if a step solves a linear system
   bool in_turn = false;   ///< true if a step updates the positions with the new velocities
-  int stages = 1;         ///< number of force evaluations per step: 4 for classical Runge-Kutta, else 1
+  int stages = 1;         ///< number of force evaluations per step
 
   constexpr bool operator==(const Solver& other) const { return name == other.name; }
   bool multistage() const { return stages > 1; }
 
-  static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4;
+  static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4, predictor_corrector;
 };
 /// The first scheme of Banisch and Wuethrich 2006.
 inline constexpr Solver Solver::explicit_euler{"explicit-euler"};
@@ -58,7 +58,11 @@ inline constexpr Solver Solver::explicit_euler{"explicit-euler"};
 /// Witkin 1998.
 inline constexpr Solver Solver::backward_euler{"backward-euler", true, true};
 inline constexpr Solver Solver::semi_implicit_euler{"semi-implicit-euler", false, true};
+/// The classical Runge-Kutta scheme, an example of an explicit scheme in Banisch and Wuethrich 2006.
 inline constexpr Solver Solver::rk4{"rk4", false, false, 4};
+/// The trapezoidal rule by two corrections of an explicit Euler step: an example of the predictor-corrector
+/// schemes that Banisch and Wuethrich 2006 call implicit.
+inline constexpr Solver Solver::predictor_corrector{"predictor-corrector", false, false, 3};
 
 extern const std::span<const Solver> solvers;  ///< the table of schemes
 

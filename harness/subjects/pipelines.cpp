@@ -39,6 +39,10 @@ constexpr Pipeline studies[] = {
        auto theirs = frames_of(context, which, "opengl");
        return with_opengl(frames_of(context, which, "shells"), std::move(theirs));
      }},
+    {"shells-drawing",
+     [](SubjectContext& context, const Case& which) -> std::unique_ptr<Subject> {
+       return std::make_unique<Frames>(context, which, backend_named("shells"), true);
+     }},
     {"strands+opengl", strands_against_opengl},
     {"strands+raycast",
      [](SubjectContext& context, const Case& which) {

@@ -59,16 +59,17 @@ __kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) mom
   }
 }
 
-// Computes stage 0, 1, 2 or 3 of the classical Runge-Kutta scheme. tip, speed, offset: state of this stage. base_*:
-// state at the start of the step; after stage 3, state at the end of the step. sum_*: the state at the start
-// of the step, plus the weighted derivatives of the stages computed so far. next_*: state of the next stage.
-CALLED void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
+// Computes a stage of a scheme (stage_of()). tip, speed, offset: state of this stage. base_*: state at the start of the
+// step; after the last stage, state at the end of the step. sum_*: the state at the start of the step, plus the weighted
+// derivatives of the stages computed so far. next_*: state of the next stage. at: as in euler_units().
+CALLED void stage_units(TopologyParams p, int begin, int end, int stages, int stage, int at, int number, TABLE(Moment) moments,
                       TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                       TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
                       __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
                       __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
                       __global scalar *next_offset, __global int *diverged_at, __global int *first) {
-  scalar h = p.step, weight = stage == 0 || stage == 3 ? h / 6 : h / 3, reach = stage < 2 ? h / 2 : h;
+  Stage s = stage_of(stages, stage, p.step);
+  bool last = stage == stages - 1;
   for (int u = begin; u < end; ++u) {
     TOPS(u)
     Top base, sum;
@@ -79,11 +80,11 @@ CALLED void rk4_units(TopologyParams p, int begin, int end, int stage, int at, i
       sum.q = load3(sum_offset, u, 3, 0);
       sum.v = load3(sum_speed, u, 3, 0);
     }
-    sum = advanced(p, sum, weight, a.v, f);
-    Top next = sum;
-    if (stage < 3) next = advanced(p, base, reach, a.v, f);
+    Top next = advanced(p, s.corrects ? sum : base, s.reach, a.v, f);
+    sum = advanced(p, sum, s.weight, a.v, f);
+    if (last) next = sum;
     store_rows(row_of(add3(site.root, next.q)), next_tip, u);
-    if (stage < 3) {
+    if (!last) {
       store3(sum.q, sum_offset, u, 3, 0);
       store3(sum.v, sum_speed, u, 3, 0);
       store3(next.q, next_offset, u, 3, 0);
@@ -95,23 +96,21 @@ CALLED void rk4_units(TopologyParams p, int begin, int end, int stage, int at, i
     }
   }
 }
-__kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(Moment) moments,
+__kernel void prism_stage(TopologyParams p, int stages, int stage, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
                         __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
                         __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
                         __global scalar *next_offset, __global int *diverged_at, __global int *first) {
   int item = (int)get_global_id(0);
-  rk4_units(p, first_unit(p, item), last_unit(p, item), stage, at, number, moments, sites, push, start, neighbour, rest, tip,
+  stage_units(p, first_unit(p, item), last_unit(p, item), stages, stage, at, number, moments, sites, push, start, neighbour, rest, tip,
             speed, offset, base_offset, base_speed, sum_offset, sum_speed, next_tip, next_speed, next_offset, diverged_at,
             first);
 }
 
-// Computes all substeps. Each substep has the four stages of the Runge-Kutta scheme, stages 0 to 3. The positions and
-// velocities of the top masses for stages 1 and 3 are in the buffers other_tip and other_speed, and the positions and
-// velocities for stage 2 are in spare_tip and spare_speed. At the start and at the end of a substep, the positions and
-// velocities are in tip and speed.
-__kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
+// Computes all substeps. The state of stages 1 and 3 is in other_tip and other_speed, that of stage 2 in spare_tip and
+// spare_speed. At the start and at the end of a substep, the state is in tip and speed.
+__kernel void prism_stages_whole(TopologyParams p, int stages, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
                               TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
                               __global scalar *speed, __global scalar *offset, __global scalar *other_tip,
                               __global scalar *other_speed, __global scalar *spare_tip, __global scalar *spare_speed,
@@ -119,10 +118,10 @@ __kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(sca
                               __global int *diverged_at, __global int *first) {
   if (get_global_id(0) != 0) return;
   for (int i = 0; i < p.substeps; ++i)
-    for (int stage = 0; stage < 4; ++stage) {
-      int next = (stage + 1) % 4;
-      rk4_units(p, 0, p.blocks * UNITS, stage, p.first_moment + 2 * i + (stage + 1) / 2, p.first_step + i, moments, sites,
-                push, start, neighbour, rest, stage == 0 ? tip : stage == 2 ? spare_tip : other_tip,
+    for (int stage = 0; stage < stages; ++stage) {
+      int next = (stage + 1) % stages;
+      stage_units(p, 0, p.blocks * UNITS, stages, stage, p.first_moment + 2 * i + stage_of(stages, stage, p.step).moment,
+                p.first_step + i, moments, sites, push, start, neighbour, rest, stage == 0 ? tip : stage == 2 ? spare_tip : other_tip,
                 stage == 0 ? speed : stage == 2 ? spare_speed : other_speed, stage == 0 ? offset : stage_offset, offset,
                 speed, sum_offset, sum_speed, next == 0 ? tip : next == 2 ? spare_tip : other_tip,
                 next == 0 ? speed : next == 2 ? spare_speed : other_speed, stage_offset, diverged_at, first);

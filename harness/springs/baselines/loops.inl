@@ -14,6 +14,19 @@ struct Scheme {
   int stages = 1;
 };
 
+// A stage of a scheme with several evaluations of the forces, as in kernels/springs/equations.clh.
+template <class T>
+struct Stage {
+  T weight, reach;
+  int moment;
+  bool corrects;
+};
+template <class T>
+PELAGE_INLINE Stage<T> stage_of(int stages, int i, T h) {
+  if (stages == 4) return {i == 0 || i == 3 ? h / T(6) : h / T(3), i < 2 ? h / T(2) : h, (i + 1) / 2, false};
+  return {i == 1 ? T(0) : h / T(2), i == 0 ? h : h / T(2), i == 0 ? 0 : 2, i > 0};
+}
+
 template <class T>
 PELAGE_INLINE V<T> at(T* const column[3], int i) {
   return {column[0][i], column[1][i], column[2][i]};
@@ -77,19 +90,19 @@ PELAGE_INLINE Block<T, N> stepped(const Constants<T>& p, const Outside<T>* t, co
       b.v[c] = a.v[c] + (h * p.inverse_mass) * f[c];
       b.q[c] = a.q[c] + h * (scheme.in_turn ? b.v[c] : a.v[c]);
     }
-  } else if constexpr (scheme.stages == 4) {
+  } else if constexpr (scheme.stages > 1) {
     Block<T, N> stage = a;
 #pragma GCC unroll 4
-    for (int i = 0; i < 4; ++i) {
-      forces<T, N>(p, t[i == 0 ? 0 : i == 3 ? 2 : 1], g, stage, f);
-      const T weight = i == 0 || i == 3 ? h / T(6) : h / T(3), reach = i < 2 ? h / T(2) : h;
+    for (int i = 0; i < scheme.stages; ++i) {
+      const Stage<T> s = stage_of(scheme.stages, i, h);
+      forces<T, N>(p, t[s.moment], g, stage, f);
 #pragma GCC unroll 3
       for (int c = 0; c < N; ++c) {
         const V<T> speed = stage.v[c], rate = p.inverse_mass * f[c];
-        b.q[c] = b.q[c] + weight * speed;
-        b.v[c] = b.v[c] + weight * rate;
-        stage.q[c] = a.q[c] + reach * speed;
-        stage.v[c] = a.v[c] + reach * rate;
+        stage.q[c] = (s.corrects ? b.q[c] : a.q[c]) + s.reach * speed;
+        stage.v[c] = (s.corrects ? b.v[c] : a.v[c]) + s.reach * rate;
+        b.q[c] = b.q[c] + s.weight * speed;
+        b.v[c] = b.v[c] + s.weight * rate;
       }
     }
   } else {
@@ -256,22 +269,24 @@ void euler_move(const Arrays<T> a, T h, T rate, bool in_turn, int first, int end
   }
 }
 
-// Computes one of the four stages of an RK4 step for the top masses `first` to `end` - 1.
+// Computes a stage of a step for the top masses `first` to `end` - 1.
 template <class T>
-void rk4_move(const Arrays<T> a, const Lists<T> state, T h, T inverse_mass, int stage, int first, int end) {
+void stage_move(const Arrays<T> a, const Lists<T> state, T h, T inverse_mass, int stages, int stage, int first,
+                int end) {
   T *const *stage_q = a.work, *const *stage_v = a.work + 3, *const *sum_q = a.work + 6,
            *const *sum_v = a.work + 9;
-  const T weight = stage == 0 || stage == 3 ? h / T(6) : h / T(3), reach = stage < 2 ? h / T(2) : h;
+  const Stage<T> s = stage_of(stages, stage, h);
 #pragma GCC unroll 3
   for (int c = 0; c < 3; ++c) {
 #pragma GCC ivdep
     for (int k = first; k < end; ++k) {
       const T speed = state.v[c][k], rate = inverse_mass * a.force[0][c][k];
-      sum_q[c][k] = (stage == 0 ? a.q[c][k] : sum_q[c][k]) + weight * speed;
-      sum_v[c][k] = (stage == 0 ? a.v[c][k] : sum_v[c][k]) + weight * rate;
-      if (stage < 3) {
-        stage_q[c][k] = a.q[c][k] + reach * speed;
-        stage_v[c][k] = a.v[c][k] + reach * rate;
+      const T q = stage == 0 ? a.q[c][k] : sum_q[c][k], v = stage == 0 ? a.v[c][k] : sum_v[c][k];
+      sum_q[c][k] = q + s.weight * speed;
+      sum_v[c][k] = v + s.weight * rate;
+      if (stage < stages - 1) {
+        stage_q[c][k] = (s.corrects ? q : a.q[c][k]) + s.reach * speed;
+        stage_v[c][k] = (s.corrects ? v : a.v[c][k]) + s.reach * rate;
       } else {
         a.q[c][k] = sum_q[c][k];
         a.v[c][k] = sum_v[c][k];
@@ -301,11 +316,12 @@ long through_prisms(const Arrays<T>& a, const Course& course) {
         euler_move<T>(a, h, h * p.inverse_mass, course.solver.in_turn, share(part), share(part + 1));
       });
     } else {
-      for (int stage = 0; stage < 4; ++stage) {
+      const int stages = course.solver.stages;
+      for (int stage = 0; stage < stages; ++stage) {
         const Lists<T>& now = stage == 0 ? state : staged;
-        all_forces<T, moving>(a, p, t[(stage + 1) / 2], now, threads);
+        all_forces<T, moving>(a, p, t[stage_of(stages, stage, h).moment], now, threads);
         in_parts(threads, a.sticks, [&](int part) {
-          rk4_move<T>(a, now, h, p.inverse_mass, stage, share(part), share(part + 1));
+          stage_move<T>(a, now, h, p.inverse_mass, stages, stage, share(part), share(part + 1));
         });
       }
     }
@@ -316,7 +332,8 @@ long through_prisms(const Arrays<T>& a, const Course& course) {
 template <class T, int N, bool moving>
 void blocks_by(const Arrays<T>& a, const Course& course) {
   const Solver& solver = course.solver;
-  if (solver.multistage()) return through_blocks<T, N, Scheme{.stages = 4}, moving>(a, course);
+  if (solver.stages == 4) return through_blocks<T, N, Scheme{.stages = 4}, moving>(a, course);
+  if (solver.stages == 3) return through_blocks<T, N, Scheme{.stages = 3}, moving>(a, course);
   if (!solver.implicit)
     return solver.in_turn ? through_blocks<T, N, Scheme{.in_turn = true}, moving>(a, course)
                           : through_blocks<T, N, Scheme{}, moving>(a, course);

@@ -97,7 +97,7 @@ class PrismStage {
 
  private:
   void euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
-  void rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
+  void stages(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
   void backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
   bool converged(const cl::Queue& queue);
   void whole(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);

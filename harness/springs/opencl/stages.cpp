@@ -24,7 +24,7 @@ std::vector<const char*> kernels_of(const Solver& solver, bool whole) {
   if (solver.implicit && whole) return {"gradients_whole"};
   if (solver.implicit)
     return {"gradients_set_up", "gradients_product", "gradients_advance", "gradients_turn", "gradients_move"};
-  if (solver.multistage()) return {whole ? "prism_rk4_whole" : "prism_rk4"};
+  if (solver.multistage()) return {whole ? "prism_stages_whole" : "prism_stage"};
   if (whole) return {"prism_euler", "prism_euler_whole"};
   return {"prism_euler"};
 }
@@ -127,7 +127,7 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   }
   for (int i = 0; i < params.substeps; ++i) {
     if (solver_.multistage())
-      rk4(queue, params, buffers, i);
+      stages(queue, params, buffers, i);
     else if (solver_.implicit)
       backward_euler(queue, params, buffers, i);
     else
@@ -140,9 +140,9 @@ void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buf
   if (solver_.implicit) return whole_gradients(queue, params, b);
   cl::Kernel& kernel = kernels_.back();
   if (solver_.multistage()) {
-    kernel.with(params, b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset,
-                other_tip_, other_speed_, spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_,
-                b.diverged_at, b.first);
+    kernel.with(params, solver_.stages, b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed,
+                b.offset, other_tip_, other_speed_, spare_tip_, spare_speed_, stage_offset_, sum_offset_,
+                sum_speed_, b.diverged_at, b.first);
     return launch(queue, kernel, 1);
   }
   kernel.with(params, int(solver_.in_turn), b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_,
@@ -176,17 +176,20 @@ void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buf
   std::swap(b.speed, other_speed_);
 }
 
-void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
-  // The buffers that the stages 0 to 3 read. The tips and speeds at the start of the step stay in tip_ and
-  // b.speed until stage 3 overwrites them with the result.
+void PrismStage::stages(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
+  // The buffers that the stages read. The tips and speeds at the start of the step stay in tip_ and b.speed
+  // until the last stage overwrites them with the result.
   cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
-  for (int stage = 0; stage < 4; ++stage) {
-    const int at = params.first_moment + 2 * substep + (stage + 1) / 2, next = (stage + 1) % 4;
-    kernels_[0].with(params, stage, at, params.first_step + substep, b.moments, b.sites, b.push, start_,
-                     neighbour_, rest_, *tips[stage], *speeds[stage], stage == 0 ? b.offset : stage_offset_,
-                     b.offset, b.speed, sum_offset_, sum_speed_, *tips[next], *speeds[next], stage_offset_,
-                     b.diverged_at, b.first);
+  for (int stage = 0; stage < solver_.stages; ++stage) {
+    const int half_steps = solver_.stages == 4 ? (stage + 1) / 2
+                           : stage == 0        ? 0
+                                               : 2;  // stage_of() of the kernels
+    const int at = params.first_moment + 2 * substep + half_steps, next = (stage + 1) % solver_.stages;
+    kernels_[0].with(params, solver_.stages, stage, at, params.first_step + substep, b.moments, b.sites,
+                     b.push, start_, neighbour_, rest_, *tips[stage], *speeds[stage],
+                     stage == 0 ? b.offset : stage_offset_, b.offset, b.speed, sum_offset_, sum_speed_,
+                     *tips[next], *speeds[next], stage_offset_, b.diverged_at, b.first);
     launch(queue, kernels_[0], ceiling(units_, per_item_));
   }
 }

@@ -118,6 +118,21 @@ State rk4(const System& system, const State& y, double t, double h) {
   return next;
 }
 
+State predictor_corrector(const System& system, const State& y, double t, double h) {
+  const Vectors before = accelerations(system, y, t);
+  State next = moved(y, h, y.velocity, before);
+  for (int correction = 0; correction < 2; ++correction) {
+    const Vectors after = accelerations(system, next, t + h);
+    State corrected = y;
+    for (std::size_t i = 0; i < y.position.size(); ++i) {
+      corrected.position[i] += h / 2 * (y.velocity[i] + next.velocity[i]);
+      corrected.velocity[i] += h / 2 * (before[i] + after[i]);
+    }
+    next = std::move(corrected);
+  }
+  return next;
+}
+
 glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
@@ -293,7 +308,8 @@ State step(const System& system, const State& state, long number) {
   const double h = double(system.dynamics.step), t = double(number) * h;
   const Solver& solver = system.dynamics.solver;
   if (solver.implicit) return backward_euler(system, state, t, h);
-  if (solver.multistage()) return rk4(system, state, t, h);
+  if (solver == Solver::rk4) return rk4(system, state, t, h);
+  if (solver == Solver::predictor_corrector) return predictor_corrector(system, state, t, h);
   return solver.in_turn ? semi_implicit_euler(system, state, t, h) : explicit_euler(system, state, t, h);
 }
 

@@ -27,7 +27,7 @@ using BlockKernel = void (*)(TopologyParams, const Moment*, const double*, const
                              double*, double*, int*, int*);
 /// The kernels of blocks.cl, compiled for one kind of block: a stick or a triangle of three sticks.
 struct BlockKernels {
-  BlockKernel explicit_euler, backward_euler, semi_implicit_euler, rk4;
+  BlockKernel explicit_euler, backward_euler, semi_implicit_euler, rk4, predictor_corrector;
 };
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();

@@ -9,6 +9,7 @@ void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& m) {
   const BlockKernel kernel = solver == Solver::explicit_euler        ? kernels.explicit_euler
                              : solver == Solver::semi_implicit_euler ? kernels.semi_implicit_euler
                              : solver == Solver::rk4                 ? kernels.rk4
+                             : solver == Solver::predictor_corrector ? kernels.predictor_corrector
                                                                      : kernels.backward_euler;
   for (in_double::work_item = 0; in_double::work_item < 16 * m.params.blocks; ++in_double::work_item)
     kernel(m.params, m.moments.data(), m.sites.data(), m.push.data(), m.sides.data(), m.offset.data(),

@@ -11,7 +11,8 @@ using namespace in_double;
 }  // namespace
 
 springs::test::BlockKernels springs::test::KERNELS() {
-  return {explicit_euler_frame, backward_euler_frame, semi_implicit_euler_frame, rk4_frame};
+  return {explicit_euler_frame, backward_euler_frame, semi_implicit_euler_frame, rk4_frame,
+          predictor_corrector_frame};
 }
 
 }  // namespace pelage

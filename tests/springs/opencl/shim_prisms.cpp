@@ -21,7 +21,7 @@ void prism_substep(Solver solver, Memory& m, int substep) {
     for (in_double::work_item = 0; in_double::work_item < 16 * l.slices; ++in_double::work_item) kernel();
   };
   std::vector<double> tip = m.tip, speed = m.speed, next_tip = m.tip, next_speed = m.speed;
-  if (solver != Solver::rk4) {
+  if (!solver.multistage()) {
     each([&] {
       kernels::prism_euler(m.params, solver == Solver::semi_implicit_euler, 2 * substep, number,
                            m.moments.data(), m.sites.data(), m.push.data(), l.start.data(),
@@ -32,13 +32,14 @@ void prism_substep(Solver solver, Memory& m, int substep) {
     return;
   }
   std::vector<double> offset = m.offset, sum_offset = m.offset, sum_speed = m.offset, next_offset = m.offset;
-  for (int stage = 0; stage < 4; ++stage) {
+  for (int stage = 0; stage < solver.stages; ++stage) {
+    const int moment = kernels::stage_of(solver.stages, stage, 1).moment;
     each([&] {
-      kernels::prism_rk4(m.params, stage, 2 * substep + (stage + 1) / 2, number, m.moments.data(),
-                         m.sites.data(), m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(),
-                         tip.data(), speed.data(), offset.data(), m.offset.data(), m.speed.data(),
-                         sum_offset.data(), sum_speed.data(), next_tip.data(), next_speed.data(),
-                         next_offset.data(), m.diverged_at.data(), m.first.data());
+      kernels::prism_stage(m.params, solver.stages, stage, 2 * substep + moment, number, m.moments.data(),
+                           m.sites.data(), m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(),
+                           tip.data(), speed.data(), offset.data(), m.offset.data(), m.speed.data(),
+                           sum_offset.data(), sum_speed.data(), next_tip.data(), next_speed.data(),
+                           next_offset.data(), m.diverged_at.data(), m.first.data());
     });
     tip = next_tip, speed = next_speed, offset = next_offset;
   }
@@ -50,13 +51,14 @@ void prisms_whole(Solver solver, Memory& m) {
   const Layout& l = *m.layout;
   in_double::work_item = 0;
   std::vector<double> other_tip = m.tip, other_speed = m.speed;
-  if (solver == Solver::rk4) {
+  if (solver.multistage()) {
     std::vector<double> spare_tip = m.tip, spare_speed = m.speed, offset = m.offset, sum = m.offset,
                         rate = m.offset;
-    kernels::prism_rk4_whole(m.params, m.moments.data(), m.sites.data(), m.push.data(), l.start.data(),
-                             l.neighbour.data(), m.rest.data(), m.tip.data(), m.speed.data(), m.offset.data(),
-                             other_tip.data(), other_speed.data(), spare_tip.data(), spare_speed.data(),
-                             offset.data(), sum.data(), rate.data(), m.diverged_at.data(), m.first.data());
+    kernels::prism_stages_whole(m.params, solver.stages, m.moments.data(), m.sites.data(), m.push.data(),
+                                l.start.data(), l.neighbour.data(), m.rest.data(), m.tip.data(),
+                                m.speed.data(), m.offset.data(), other_tip.data(), other_speed.data(),
+                                spare_tip.data(), spare_speed.data(), offset.data(), sum.data(), rate.data(),
+                                m.diverged_at.data(), m.first.data());
     return;
   }
   kernels::prism_euler_whole(m.params, solver == Solver::semi_implicit_euler, m.moments.data(),
