@@ -173,6 +173,15 @@ void check_topology(const Scene& scene, const std::string& source) {
     if (d.wind.strength > 0 && !(d.drag > 0))
       refuse("dynamics.wind.strength",
              "with a mass-spring topology, the wind has no effect without drag; give dynamics.drag above 0");
+    if (!springs::solver_of(d.solver).newton && springs::kind_of(d.topology).edges)
+      refuse(
+          "dynamics.solver",
+          fmt::format("\"{}\" has no springs between tops; give dynamics.topology sticks or separable-sticks",
+                      d.solver));
+    if (!springs::solver_of(d.solver).newton && !(d.springs.return_weight > 0))
+      refuse("dynamics.springs.return_weight", fmt::format("must be above 0 for the solver {}", d.solver));
+    if (d.bend == "trigonometric" && (scene.shading.model != "lambert" || scene.fur.substeps != 1))
+      refuse("dynamics.bend", "\"trigonometric\" needs shading.model = \"lambert\" and fur.substeps = 1");
     return;
   }
   if (has_chains(d)) {

@@ -46,11 +46,13 @@ struct Solver {
   bool implicit = false;  ///< true if a step solves a linear system
   bool in_turn = false;   ///< true if a step updates the positions with the new velocities
   int stages = 1;         ///< number of force evaluations per step
+  bool newton = true;     ///< false: a stick follows a force at once, and no step depends on its duration
 
   constexpr bool operator==(const Solver& other) const { return name == other.name; }
   bool multistage() const { return stages > 1; }
 
-  static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4, predictor_corrector;
+  static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4, predictor_corrector,
+      wind_vectors;
 };
 /// The first scheme of Banisch and Wuethrich 2006.
 inline constexpr Solver Solver::explicit_euler{"explicit-euler"};
@@ -64,7 +66,12 @@ inline constexpr Solver Solver::rk4{"rk4", false, false, 4};
 /// schemes that Banisch and Wuethrich 2006 call implicit.
 inline constexpr Solver Solver::predictor_corrector{"predictor-corrector", false, false, 3};
 
-extern const std::span<const Solver> solvers;  ///< the table of schemes
+/// The method that Banisch and Wuethrich 2006 compare theirs with (docs/springs.md): the mean of the forces
+/// of two steps leans a stick. Only for topologies without springs between tops.
+inline constexpr Solver Solver::wind_vectors{"wind-vectors", false, false, 1, false};
+
+extern const std::span<const Solver> solvers;  ///< the table of time integration schemes
+extern const std::span<const Solver> methods;  ///< the schemes, and then the methods without Newton's law
 
 /// The scheme of the highest order, which has the smallest error if the step is short enough.
 inline constexpr Solver highest_order = Solver::rk4;

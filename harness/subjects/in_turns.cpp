@@ -34,10 +34,11 @@ std::unique_ptr<Subject> against_control_scene(const MakeSubject& make, const Ex
   TurnRules rules;
   rules.check = [likeness](const Turn& other, const Picture& timed) {
     const Picture plain = other.subject->read();
-    *likeness = {compare(plain, timed).psnr, ssim(plain, timed)};
+    if (!plain.pixel.empty()) *likeness = {compare(plain, timed).psnr, ssim(plain, timed)};
     return own_checks(other, timed);
   };
   rules.describe = [likeness](const Turn&, Row& row) {
+    if (likeness->psnr == 0) return;  // the subject draws no picture
     row.metrics["baseline_psnr"] = {likeness->psnr, "dB"};
     row.metrics["baseline_ssim"] = {likeness->ssim, ""};
   };

@@ -53,6 +53,11 @@ constexpr Pipeline studies[] = {
        return against_raycast(context, which, frames_of(context, which, "shells"));
      }},
     {"springs", springs::make_solver},
+    {"springs+baseline",
+     [](SubjectContext& context, const Case& which) {
+       return against_control_scene([&](const Case& scene) { return springs::make_solver(context, scene); },
+                                    context.experiment, which);
+     }},
     {"springs+rivals", springs::make_solver_against_baselines},
     {"springs-error", springs::make_solver_error},
     {"springs-limit", springs::make_solver_limit},

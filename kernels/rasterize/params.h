@@ -20,6 +20,7 @@ typedef struct {
   // Selects the Bezier parameter t of a layer at height h. 0 selects t = h; 1 selects t = 1 - sqrt(1 - h).
   int uniform_spacing;
   int sticks;                                 // 1: layers follow the sticks (B Eq. 4) instead of the Bezier curve
+  int arcs;                                   // 1: layers of sticks lie on arcs (arc_offset()) instead of B Eq. 4
   float length;                               // L0, the fur's length, in R
   float curl_radius;                          // K_alpha, the curl's radius, in R
   // Number of tiles across and down the picture. The next members are constants for the triangle lists of the

@@ -74,5 +74,8 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
 FRAME(explicit_euler_frame, explicit_euler(p, moment[2 * i], block, a))
 FRAME(semi_implicit_euler_frame, semi_implicit_euler(p, moment[2 * i], block, a))
 FRAME(rk4_frame, multistage(p, 4, moment + 2 * i, block, a))
+#if !EDGES
+FRAME(wind_vectors_frame, wind_vectors(p, moment[2 * i], block, a))
+#endif
 FRAME(predictor_corrector_frame, multistage(p, 3, moment + 2 * i, block, a))
 FRAME(backward_euler_frame, backward_euler(p, moment[2 * i + 2], block, a))

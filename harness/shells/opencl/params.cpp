@@ -126,6 +126,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.layers = scene.fur.layers;
   p.uniform_spacing = scene.fur.layer_spacing == "uniform";
   p.sticks = has_springs(scene.dynamics);
+  p.arcs = p.sticks && scene.dynamics.bend == "trigonometric";
   p.faces = place_of(scene.blend.faces, face_orders);
   if (by_depth(scene.blend) && p.faces == FACES_BACK_THEN_FRONT) p.faces = FACES_ALL;  // the depth decides
   p.sweeps = p.end_sweep = p.faces == FACES_BACK_THEN_FRONT ? 2 : 1;

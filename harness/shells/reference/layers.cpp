@@ -47,6 +47,12 @@ Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& 
 }
 
 glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h, Mutant mutant) {
+  if (dynamics.bend == "trigonometric") {
+    const double length = glm::length(bend.a);
+    const glm::dvec3 n = unit(bend.a), s = unit(bend.b), across = s - glm::dot(s, n) * n;
+    const double lean = h * std::atan2(glm::length(across), glm::dot(s, n));
+    return h * length * (std::cos(lean) * n + std::sin(lean) * unit(across));
+  }
   const bool straight = dynamics.bend == "linear" || mutant == Mutant::sticks_straight;
   return h * bend.a + std::pow(h, straight ? 1.0 : double(dynamics.bend_power)) * (bend.b - bend.a);
 }

@@ -43,6 +43,8 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& network, c
   if (dynamics.solver.implicit && dynamics.full_jacobian)
     throw InputError(
         "dynamics.springs.jacobian = \"full\": only the reference has it (--pipeline reference); use \"pruned\"");
+  if (!dynamics.solver.newton && network.kind.edges)
+    throw InputError(fmt::format("solver {}: not for springs between tops", dynamics.solver.name));
   const std::size_t places = layout_.places();
   const std::vector<std::int32_t> all_never(places, never);
   buffers_ = {{},

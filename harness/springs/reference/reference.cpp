@@ -304,9 +304,30 @@ Vectors forces(const System& system, const State& state, double time) {
   return force;
 }
 
+namespace {
+
+State wind_vectors(const System& system, const State& y, double t) {
+  const SpringNetwork& network = system.network;
+  const Dynamics& d = system.dynamics;
+  const Pose at = pose(d.motion, t);
+  State next = y;
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    const std::size_t top = network.top(i);
+    glm::dvec3 force = outside(d, at, t, glm::dvec3(network.gust_at[i]), y.position[top], glm::dvec3(0));
+    if (!system.push.empty()) force += system.push[i];
+    next.velocity[top] = 0.5 * (y.velocity[top] + force);
+    const glm::dvec3 way = double(d.return_weight) * glm::dvec3(network.normal[i]) + next.velocity[top];
+    next.position[top] = y.position[i] + double(network.length) * glm::normalize(way);
+  }
+  return next;
+}
+
+}  // namespace
+
 State step(const System& system, const State& state, long number) {
   const double h = double(system.dynamics.step), t = double(number) * h;
   const Solver& solver = system.dynamics.solver;
+  if (!solver.newton) return wind_vectors(system, state, t);
   if (solver.implicit) return backward_euler(system, state, t, h);
   if (solver == Solver::rk4) return rk4(system, state, t, h);
   if (solver == Solver::predictor_corrector) return predictor_corrector(system, state, t, h);
