@@ -47,10 +47,13 @@ struct Region {
 };
 
 struct Claim {
+  bool ours() const { return paper.empty(); }  ///< true: not a statement of a paper
+
   std::string id;         ///< unique in the file of claims
   std::string statement;  ///< the claim as a sentence
-  std::string reading;    ///< explains how `relation` tests the statement; may be empty
-  std::string paper;      ///< key of the paper in the references.bib of a report; may be empty
+  std::string test;       ///< explains how `relation` tests the statement; may be empty
+  std::string reading;    ///< "paper" or "pelage": the reading of the paper whose rows decide; "": none
+  std::string paper;      ///< key of the paper in the references.bib of a report; empty for our own findings
   std::string section;    ///< section, figure or table of the paper; may be empty
   bool absolute = false;  ///< true if the claim depends on the speed of the hardware
   /// The reason why no rows can decide the claim; if there is one, all members below keep their defaults.

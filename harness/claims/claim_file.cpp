@@ -135,7 +135,14 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   claim.id = table.required_text("id");
   table.rename("claim " + claim.id);
   claim.statement = table.required_text("statement");
+  claim.test = table.text("test");
   claim.reading = table.text("reading");
+  const bool known = claim.reading.empty() || claim.reading == "paper" || claim.reading == "pelage";
+  // In files of earlier versions, `reading` explains the test.
+  if (!known && claim.test.empty())
+    claim.test = std::exchange(claim.reading, "");
+  else if (!known)
+    table.refuse("reading", "reading must be \"paper\" or \"pelage\"");
   if (auto inner = table.inner("source")) {
     claim.paper = inner->text("paper");
     claim.section = inner->text("section");

@@ -31,8 +31,16 @@ std::string interval_text(double value, const Interval& interval) {
 std::string source_of(const Claim& claim) {
   const bool number = claim.section.find_first_of("0123456789") == 0;
   const std::string section = number ? "section " + claim.section : claim.section;
-  if (claim.paper.empty() || section.empty()) return claim.paper + section;
-  return fmt::format("{}, {}", claim.paper, section);
+  std::string text = claim.paper + (claim.paper.empty() || section.empty() ? "" : ", ") + section;
+  if (!claim.reading.empty()) text += fmt::format("{}reading {}", text.empty() ? "" : ", ", claim.reading);
+  return text.empty() ? "ours" : text;
+}
+
+/// Returns the claims of the papers, and those that are ours.
+std::array<std::vector<Judged>, 2> by_origin(const std::vector<Judged>& judged) {
+  std::array<std::vector<Judged>, 2> parts;
+  for (const Judged& one : judged) parts[one.claim.ours() ? 1 : 0].push_back(one);
+  return parts;
 }
 
 std::string kind_of(const Claim& claim) {
@@ -54,6 +62,7 @@ const std::vector<Column>& columns() {
       {"verdict", [](const Judged& j) { return Json(to_text(j.verdict)); }},
       {"kind", [](const Judged& j) { return Json(kind_of(j.claim)); }},
       {"statement", [](const Judged& j) { return Json(j.claim.statement); }},
+      {"test", [](const Judged& j) { return Json(j.claim.test); }},
       {"reading", [](const Judged& j) { return Json(j.claim.reading); }},
       {"paper", [](const Judged& j) { return Json(j.claim.paper); }},
       {"section", [](const Judged& j) { return Json(j.claim.section); }},
@@ -80,10 +89,11 @@ const std::vector<Column>& columns() {
   return all;
 }
 
-std::string counts_of(const std::vector<Judged>& judged) {
+std::string counts_of(const std::vector<Judged>& judged, std::string_view what) {
+  if (judged.empty()) return {};
   std::array<std::size_t, 4> counts{};
   for (const Judged& one : judged) ++counts[std::size_t(one.verdict)];
-  std::string text = fmt::format("{} claims:", judged.size());
+  std::string text = fmt::format("{} {}:", judged.size(), what);
   for (std::size_t i = 0; i < counts.size(); ++i)
     text += fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], to_text(Verdict(i)));
   return text + "\n";
@@ -91,7 +101,7 @@ std::string counts_of(const std::vector<Judged>& judged) {
 
 std::string details_of(const Judged& one) {
   std::string text;
-  if (!one.claim.reading.empty()) text += fmt::format("    reading: {}\n", one.claim.reading);
+  if (!one.claim.test.empty()) text += fmt::format("    test: {}\n", one.claim.test);
   if (one.value) {
     text += fmt::format("    {}: {}", description_of(one.claim), effect_text(one));
     if (!one.decisive.empty())
@@ -140,7 +150,8 @@ std::string text_of(const std::vector<Judged>& judged, bool all) {
     text += fmt::format("{} of these experiments, which have no rows here: {}; --all lists {}\n",
                         missing == 1 ? "1 claim needs rows" : fmt::format("{} claims need rows", missing),
                         fmt::join(experiments, ", "), missing == 1 ? "it" : "them");
-  return text + counts_of(judged);
+  const auto [papers, ours] = by_origin(judged);
+  return text + counts_of(papers, "claims of papers") + counts_of(ours, "claims of our own");
 }
 
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged) {
@@ -159,7 +170,9 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged
   return table;
 }
 
-std::string markdown_of(const std::vector<Judged>& judged) {
+namespace {
+
+std::string markdown_table(const std::vector<Judged>& judged) {
   std::string text =
       "| claim | statement | source | measured | effect | relation | the paper's numbers | verdict |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
@@ -182,6 +195,14 @@ std::string markdown_of(const std::vector<Judged>& judged) {
     text += "\n";
   }
   return text;
+}
+
+}  // namespace
+
+std::string markdown_of(const std::vector<Judged>& judged) {
+  const auto [papers, ours] = by_origin(judged);
+  return (papers.empty() ? "" : markdown_table(papers)) +
+         (ours.empty() ? "" : (papers.empty() ? "" : "\n## Findings of our own\n\n") + markdown_table(ours));
 }
 
 Json json_of(const std::vector<Judged>& judged) {

@@ -128,13 +128,13 @@ void add_table(Body& body, const Table& table, bool latex) {
   body.save_buttons(buttons);
 }
 
-void add_claims(Body& body, const Report& report) {
-  if (report.claims.empty()) return;
-  body.heading("Claims of the papers", 2);
+void add_claims(Body& body, const std::vector<claims::Judged>& judged, const char* title) {
+  if (judged.empty()) return;
+  body.heading(title, 2);
   body.remark("The claims are in our words. Each verdict is computed from the rows of this page.");
   body.add(
       "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th><th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
-  for (const claims::Judged& one : report.claims) {
+  for (const claims::Judged& one : judged) {
     std::string details = one.reason;
     for (const std::string& note : one.notes) details += (details.empty() ? "" : "; ") + note;
     body.add(fmt::format(
@@ -170,7 +170,10 @@ void add_report(Body& body, const Report& report) {
     body.heading("Cost of layers, pixels and triangles", 2);
     body.folded("Frame time ratios and the fitted model of the frame time", report.scaling);
   }
-  add_claims(body, report);
+  std::vector<claims::Judged> papers, ours;
+  for (const claims::Judged& one : report.claims) (one.claim.ours() ? ours : papers).push_back(one);
+  add_claims(body, papers, "Claims of the papers");
+  add_claims(body, ours, "Findings of our own");
 }
 
 /// Adds the pictures, and an empty element in which web/gallery.js shows two pictures for comparison.
@@ -248,7 +251,8 @@ std::string summary_of(const std::vector<Report>& reports) {
   for (const Report& report : reports) {
     cells += report.cells.size();
     for (const Cell& c : report.cells) ok += c.status == Status::ok;
-    for (const claims::Judged& one : report.claims) ++verdicts[std::size_t(one.verdict)];
+    for (const claims::Judged& one : report.claims)
+      if (!one.claim.ours()) ++verdicts[std::size_t(one.verdict)];
   }
   std::string text =
       ok == cells

@@ -22,7 +22,8 @@ separate_processes = 5
 [[claim]]
 id = "third"
 statement = "Four times the layers take three times the time."
-reading = "15% more or less"
+test = "15% more or less"
+reading = "paper"
 source = { paper = "key", section = "5" }
 kind = "absolute"
 hardware = "GeForce"
@@ -46,6 +47,7 @@ tolerance = 0.2
 [[claim]]
 id = "strands"
 statement = "Strands are fast."
+reading = "as in files of earlier versions"
 untestable = "there are none"
 )");
   EXPECT_DOUBLE_EQ(file.process_spread, 0.1);
@@ -55,6 +57,12 @@ untestable = "there are none"
   EXPECT_EQ(c.id, "third");
   EXPECT_EQ(c.paper, "key");
   EXPECT_EQ(c.section, "5");
+  EXPECT_EQ(c.test, "15% more or less");
+  EXPECT_EQ(c.reading, "paper");
+  EXPECT_FALSE(c.ours());
+  EXPECT_TRUE(file.claims[1].ours());
+  EXPECT_EQ(file.claims[1].test, "as in files of earlier versions");
+  EXPECT_EQ(file.claims[1].reading, "");
   EXPECT_TRUE(c.absolute);
   EXPECT_EQ(c.hardware, "GeForce");
   EXPECT_DOUBLE_EQ(c.process_spread, 0.02);

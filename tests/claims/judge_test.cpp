@@ -208,7 +208,8 @@ TEST(Printing, ShowsOnlyWhatIsKnown) {
   two.interval = {2, 4.5};
   Judged one = two, full = two;
   one.effects = 1;
-  full.claim.reading = full.claim.paper = "p";
+  full.claim.test = full.claim.paper = "p";
+  full.claim.reading = "paper";
   full.decisive = "lion";
   full.paper_value = 1;
   full.reason = "why";
@@ -217,16 +218,18 @@ TEST(Printing, ShowsOnlyWhatIsKnown) {
   missing.claim.experiments = {"e"};
   const std::string same = "    frame time; mean over the cases: 3 [2, 4.5]";
   EXPECT_EQ(text_of({full, one, two, missing}, false),
-            "Device device on h\nfails      c  (shape; p)\n    s\n    reading: p\n" + same +
+            "Device device on h\nfails      c  (shape; p, reading paper)\n    s\n    test: p\n" + same +
                 " for lion; 2 effects from 10 to 30; the claim: at most 4; the paper's numbers: 1\n"
                 "    fails: why\n    note: n\n"
-                "fails      c  (shape; )\n    s\n" +
-                same + "; the claim: at most 4\nfails      c  (shape; )\n    s\n" + same +
+                "fails      c  (shape; ours)\n    s\n" +
+                same + "; the claim: at most 4\nfails      c  (shape; ours)\n    s\n" + same +
                 ", from 2 effects; the claim: at most 4\n"
                 "1 claim needs rows of these experiments, which have no rows here: e; --all lists it\n"
-                "4 claims: 0 holds, 3 fails, 0 undecided, 1 untestable\n");
-  EXPECT_EQ(text_of({missing}, true),
-            "untestable   (shape; )\n    \n1 claims: 0 holds, 0 fails, 0 undecided, 1 untestable\n");
+                "1 claims of papers: 0 holds, 1 fails, 0 undecided, 0 untestable\n"
+                "3 claims of our own: 0 holds, 2 fails, 0 undecided, 1 untestable\n");
+  EXPECT_EQ(
+      text_of({missing}, true),
+      "untestable   (shape; ours)\n    \n1 claims of our own: 0 holds, 0 fails, 0 undecided, 1 untestable\n");
 }
 
 }  // namespace
