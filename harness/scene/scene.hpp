@@ -153,6 +153,7 @@ struct SpringsScene {
   float return_weight = 0.2f;   ///< w of B Eq. 5, N
   float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate-gradient solver stops
   std::string jacobian = "pruned";
+  std::string vertices = "points";  ///< where sticks stand: "points" (surface points) | "copies" (vertices)
   float reference_area = 0;
 };
 

@@ -47,8 +47,8 @@ std::vector<std::pair<std::string, std::string>> changed_keys(const Scene& scene
 /// Returns a hash of all keys, values and keyframes of a scene as 16 hexadecimal digits. The hash is the same
 /// on every machine. If a value is a path, the content of the file is hashed instead of the path. The key
 /// `pipeline` is left out, because it chooses how the scene is drawn and not what: rows of results and
-/// animations record the pipeline beside this hash. The default value of `fur.layer_correction` is left out,
-/// too, so that the hashes of rows that are older than the key stay valid.
+/// animations record the pipeline beside this hash. The default values of `fur.layer_correction` and
+/// `dynamics.springs.vertices` are left out, too, so that the hashes of older rows stay valid.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace pelage

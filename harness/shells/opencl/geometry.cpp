@@ -112,6 +112,7 @@ Geometry lay_out(const FrameInput& input, int lanes) {
   const auto stride = std::size_t(g.vertices);
   g.vertex.assign(VERTEX_COLUMNS * stride, 0.0f);
   g.uv.assign(2 * stride, 0.0f);
+  const bool copies = input.scene.dynamics.springs.vertices == "copies";
   const bool radii = !input.style.curl_radius.empty();
   g.mask_uv.assign((radii ? 3 : 2) * stride, 0.0f);
   if (!input.style.curl_turns.empty()) g.turns.assign(stride, 0.0f);
@@ -126,7 +127,7 @@ Geometry lay_out(const FrameInput& input, int lanes) {
            glm::dvec3(strands.normal[v.faces[e]]);
     if (sticks) {
       a = input.stick_normal[point];
-      g.stick.push_back(separate ? std::uint32_t(i) : point);
+      g.stick.push_back(separate ? std::uint32_t(i) : copies ? v.copy : point);
     }
     set_column3(g.vertex, VERTEX_X, g.vertices, row, mesh.position[v.copy]);
     set_column3(g.vertex, ROOT_X, g.vertices, row, glm::vec3(double(input.scene.fur.length) * a));

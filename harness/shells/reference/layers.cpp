@@ -98,8 +98,12 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
     if (on_sticks) {
       const glm::dvec3 normal(input.stick_normal[point]);
       const std::size_t turned = mutant == Mutant::corners_turned ? s / 3 * 3 + (s + 1) % 3 : s;
+      const bool copies = input.scene.dynamics.springs.vertices == "copies";
       bend_[s] = stick_bend(input.scene.dynamics, double(input.scene.fur.length), normal,
-                            sticks.empty() ? normal : sticks[separate_ ? turned : point]);
+                            sticks.empty() ? normal
+                                           : sticks[separate_ ? turned
+                                                    : copies  ? s
+                                                              : point]);
       return;
     }
     if (separate_) {

@@ -55,7 +55,8 @@ Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& network) {
 }
 
 SpringNetwork network_of(const Scene& scene, const Mesh& mesh) {
-  return build(kind_of(scene.dynamics.topology), mesh, scene.fur.length, Vertices::points,
+  return build(kind_of(scene.dynamics.topology), mesh, scene.fur.length,
+               scene.dynamics.springs.vertices == "copies" ? Vertices::copies : Vertices::points,
                scene.dynamics.wind.gust_at == "triangle" ? Gusts::triangles : Gusts::sticks);
 }
 

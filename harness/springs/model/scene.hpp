@@ -15,7 +15,7 @@ namespace pelage::springs {
 /// constants of the springs between tops do not change.
 Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& network);
 
-/// Builds the masses and springs of the scene's topology, with Vertices::points. Throws InputError if
+/// Builds the masses and springs of the scene's topology. Throws InputError if
 /// dynamics.topology of the scene is not a mass-spring topology.
 SpringNetwork network_of(const FrameInput& input);
 SpringNetwork network_of(const Scene& scene, const Mesh& mesh);

@@ -363,6 +363,16 @@ TEST_P(Topologies, EveryFormOfTheBendAndEverySolver) {
   EXPECT_FALSE(within(compare(reference_of(other, sticks_of(other)), drawn)));
 }
 
+TEST(TopologiesOnCopies, LookLikeTheReference) {
+  FrameInput input = *frame_on("prisms");
+  input.scene.dynamics.springs.vertices = "copies";
+  const auto copies = std::make_shared<FrameInput>(input);
+  const std::vector<glm::dvec3> sticks = sticks_of(input);
+  EXPECT_EQ(sticks.size(), input.mesh->position.size());
+  EXPECT_GT(sticks.size(), std::size_t(input.mesh->welded));
+  EXPECT_TRUE(same(reference_of(input, sticks), drawn_by_device(copies, "tile")));
+}
+
 TEST_P(Topologies, MistakesAreSeen) {
   const auto input = frame_on(GetParam());
   const std::vector<glm::dvec3> sticks = sticks_of(*input);
