@@ -80,9 +80,20 @@ class ShapeStudy : public Study {
     for (const glm::vec3& v : masses_.speeds(queue_)) fastest = std::max(fastest, double(glm::length(v)));
     row.metrics["speed_most"] = {fastest / double(setting_.network.length), "lengths/s"};
     describe_gap(shape, row);
+    row.metrics["lean_released"] = {released_lean(), "degrees"};
   }
 
  private:
+  /// Ends gravity and wind, and returns the median lean after as many seconds as the load lasted.
+  double released_lean() {
+    Dynamics free = setting_.dynamics;
+    free.gravity = glm::vec3(0);
+    free.wind.speed = 0;
+    masses_.set_forces(queue_, setting_.network, free);
+    masses_.advance(queue_, int(masses_.steps()));
+    return shape_of(setting_.network, masses_.offsets(queue_)).lean_median;
+  }
+
   double seconds_;
   MassSprings masses_;
 };
