@@ -17,16 +17,16 @@
 #include "tests/support/opencl_as_cpp.hpp"
 #include "tests/support/synthetic.hpp"
 
-namespace pelage::earlier_in_double {
+namespace pelage::in_double {
 // clang-format off
 #include "rasterize/equations.clh"
 // clang-format on
-}  // namespace pelage::earlier_in_double
+}  // namespace pelage::in_double
 
 namespace pelage {
 namespace {
 
-namespace shim = earlier_in_double;
+namespace shim = in_double;
 using namespace pictures;
 using springs::Dynamics;
 using springs::Kind;
