@@ -38,7 +38,7 @@ Section shape_section(const Scene& scene) {
   for (const double w : {0.0, 0.25, 0.5, 0.75, 1.0})
     for (int n = 0; n < scene.fur.layers; ++n) {
       const double h = height_of(scene, n);
-      section.rows.push_back({w, h, reference::clump_shape(h, w, scene.fur.layers)});
+      section.rows.push_back({w, h, reference::clump_shape(h, w, scene.fur.layers, scene.clump.function)});
     }
   return section;
 }
@@ -53,7 +53,7 @@ Section clump_section(const Scene& scene, double length_per_uv) {
     const bool wet = std::abs(i) <= strands_per_radius;
     for (int n = -1; n < scene.fur.layers; ++n) {
       const double h = height_of(scene, n), shape = double(scene.clump.shape);
-      const double f = n < 0 ? 0.0 : reference::clump_shape(h, shape, scene.fur.layers);
+      const double f = n < 0 ? 0.0 : reference::clump_shape(h, shape, scene.fur.layers, scene.clump.function);
       const double u = wet ? reference::drawn_at(scene, clump, f, glm::dvec2(root, 0)).x : root;
       section.rows.push_back({double(i), wet ? 1.0 : 0.0, double(n), h, f, root, u, root - u,
                               u * length_per_uv, upright_height(scene, h)});

@@ -3,13 +3,16 @@
 // scene_toml.hpp declares the functions that read, check and write scenes; docs/glossary.md names the papers
 // S, W and B and the unit R.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/scene/keyframes.hpp"
@@ -105,15 +108,23 @@ struct WetnessScene {
 };
 
 inline constexpr std::array clump_scales{"literal", "distance", "converge"};
+inline constexpr std::array clump_functions{"logarithmic", "rate"};
 inline constexpr std::array clump_cells{"separate", "literal", "consistent"};
 inline constexpr std::array tangent_readings{"paper", "drawn", "strand", "printed"};
 
 struct ClumpScene {
   float shape = 0.0f;
+  std::string function = "logarithmic";  ///< one of clump_functions
   float gain = 1.0f;
   std::string scale = "converge";    ///< one of clump_scales
   std::string cells = "consistent";  ///< rule for fragments at a clump's border, one of clump_cells
 };
+
+/// Returns g(h), the function that S Eq. 5 mixes with h: 1 + ln h / ln N, or min(3 h, 1) with the
+/// clump.function "rate" (docs/shells.md, section 6). h is in (0, 1], and N is `layers`.
+inline double clump_curve(std::string_view function, double h, int layers) {
+  return function == "rate" ? std::min(3.0 * h, 1.0) : 1.0 + std::log(h) / std::log(double(layers));
+}
 
 /// Soaked fur, our extension of both papers (docs/shells.md, section 11).
 struct SoakedScene {

@@ -48,7 +48,6 @@ typedef struct {
   float clump_gain;
   int clump_scale;                            // CLUMP_LITERAL, ...: the reading of S Eq. 5 (scene key clump.scale)
   int clump_cells;                            // CELLS_SEPARATE, ...: the scene key clump.cells
-  float log_layers;                           // k = ln N, for S Eq. 5
   int film;                                   // 1: a smooth film of water replaces the clumps of soaked fur (docs/shells.md, section 11)
   float soaked;                               // the wetness from which on it does
   float film_height, film_gloss;              // the film's height as a fraction of L0, and the factor of its highlight
@@ -116,7 +115,7 @@ enum { TANGENT_PAPER, TANGENT_DRAWN, TANGENT_STRAND, TANGENT_PRINTED };
 
 // Columns of the layer table: h, cos(omega h), sin(omega h), ln h, and the power of h in B Eq. 4. Only the host
 // computes these values, so that all devices use the same bits.
-enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
+enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_CURVE, LAYER_POWER, LAYER_COLUMNS };
 
 // Columns of the vertex array. VERTEX: the position. ROOT: the vector A of docs/shells.md, section 3. With `fur.binding`
 // "shared", A is the weighted mean, over the triangles around the vertex, of the fur's length L0 times the normal n of

@@ -102,7 +102,7 @@ std::vector<float> layer_table(const Scene& scene) {
     row[LAYER_H] = float(h);
     row[LAYER_COS] = float(std::cos(omega * h));
     row[LAYER_SIN] = float(std::sin(omega * h));
-    row[LAYER_LOG] = float(std::log(h));
+    row[LAYER_CURVE] = float(clump_curve(scene.clump.function, h, layers));
     row[LAYER_POWER] = float(std::pow(h, power));
   }
   return table;
@@ -141,7 +141,6 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.soaked = scene.soaked.threshold;
   p.film_height = scene.soaked.height;
   p.film_gloss = scene.soaked.gloss;
-  p.log_layers = float(std::log(double(scene.fur.layers)));
   place_maps(input, geometry, p);
   p.fur_size = input.fur.size;
   p.fur_levels = int(input.fur.level.size());

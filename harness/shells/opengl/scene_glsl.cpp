@@ -127,7 +127,7 @@ std::vector<glm::vec4> layer_table(const Scene& scene) {
   for (int n = 0; n < fur.layers; ++n) {
     const double h = (1.0 + double(n)) / layers;
     const glm::dvec2 bend = bezier_at(h, fur.layer_spacing);
-    const double rate = (1.0 - w) * h + w * (1.0 + std::log(h) / std::log(layers));  // f(h)
+    const double rate = (1.0 - w) * h + w * clump_curve(scene.clump.function, h, fur.layers);  // f(h)
     const double gamma = shading_model(scene.shading.model).surface_light
                              ? 1.0 + double(scene.shading.occlusion) * (h - 1.0)
                              : (shadow - 1.0 + h) / shadow;

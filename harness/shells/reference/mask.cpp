@@ -233,7 +233,14 @@ ClumpReading clump_reading(const Scene& scene, Clump clump) {
 
 }  // namespace
 
-double clump_shape(double h, double w, int layers, Mutant mutant) {
+double clump_shape(double h, double w, int layers, std::string_view function, Mutant mutant) {
+  if (function == "rate") {
+    // A hair has three segments. Its vertices at 1/3, 2/3 and 1 move by h + w (1-h), and its root does not
+    // move.
+    const double third = std::min(std::floor(3.0 * h), 2.0) / 3.0, part = 3.0 * (h - third);
+    const auto vertex = [&](double v) { return v > 0.0 ? v + w * (1.0 - v) : 0.0; };
+    return (1.0 - part) * vertex(third) + part * vertex(third + 1.0 / 3.0);
+  }
   const double k = (mutant == Mutant::log_negated ? -1.0 : 1.0) * std::log(double(layers));
   // The maximum avoids ln 0, because h is 0 on the first layer with Mutant::height_without_one.
   return (1.0 - w) * h + w * (1.0 + std::log(std::max(h, 1e-9)) / k);
@@ -297,7 +304,8 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
 
   const auto f = [&](int layer) {
     if (layer < 0) return 0.0;
-    return clump_shape(layer_height(layer, layers, mutant), double(scene.shape), layers, mutant);
+    return clump_shape(layer_height(layer, layers, mutant), double(scene.shape), layers, scene.function,
+                       mutant);
   };
   const ClumpReading reading = clump_reading(input.scene, here);
   const glm::dvec2 root = uv + reading.displacement(f(n), uv);

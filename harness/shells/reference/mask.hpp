@@ -64,8 +64,11 @@ Mask wetness_mask(const FrameInput& input, int frames = 1, Mutant mutant = Mutan
 double blended_share(const FrameInput& input, int frames = 1);
 
 /// Returns the factor of a clump's displacement at the height h (S Eq. 5): (1 - w) h + w (1 + ln h / ln N).
-/// Here w is the scene's clump.shape, and N is `layers`. The factor is in [0, 1] for h in [1/N, 1].
-double clump_shape(double h, double w, int layers, Mutant mutant = Mutant::none);
+/// Here w is the scene's clump.shape, and N is `layers`. With the clump.function "rate", it is the part of
+/// the way to the clump's centre that Bruderlin (2000) moves a point of a hair of three segments, for the
+/// clump-percent 1 and the clump-rate w. The factor is in [0, 1] for h in [1/N, 1].
+double clump_shape(double h, double w, int layers, std::string_view function = "logarithmic",
+                   Mutant mutant = Mutant::none);
 
 /// Returns the UV position at which `clump` draws the strand with the root `root`, in a layer with the factor
 /// `f` (clump_shape()) of S Eq. 5: the position p with p + d(p) = root.

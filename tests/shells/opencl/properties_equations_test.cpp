@@ -199,17 +199,20 @@ TEST(Equations, CurlVanishesAtTheRootAndWhereSoakedAndLooksLikeTheReference) {
 }
 
 TEST(Equations, ClumpsShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
-  for (const int layers : {2, 16, 64}) {
-    const double k = std::log(double(layers));
-    EXPECT_NEAR(shim::clump_rate(1.0 / layers, std::log(1.0 / layers), 1, k), 0, tight);
-    for (const double w : {0.0, .3, 1.0}) {
-      EXPECT_NEAR(shim::clump_rate(1, 0, w, k), 1, tight);
-      for (int n = 0; n < layers; ++n) {
-        const double h = (1.0 + n) / layers;
-        EXPECT_NEAR(shim::clump_rate(h, std::log(h), w, k), reference::clump_shape(h, w, layers), tight);
+  for (const std::string_view function : clump_functions)
+    for (const int layers : {2, 16, 64, 512}) {
+      if (function == "logarithmic") {
+        EXPECT_NEAR(shim::clump_rate(1.0 / layers, clump_curve(function, 1.0 / layers, layers), 1), 0, tight);
+      }
+      for (const double w : {0.0, .3, 1.0}) {
+        EXPECT_NEAR(shim::clump_rate(1, clump_curve(function, 1, layers), w), 1, tight);
+        for (int n = 0; n < layers; ++n) {
+          const double h = (1.0 + n) / layers;
+          EXPECT_NEAR(shim::clump_rate(h, clump_curve(function, h, layers), w),
+                      reference::clump_shape(h, w, layers, function), tight);
+        }
       }
     }
-  }
   const shim::real2 d = shim::clump_shift(.5, .8, 3.5, shim::vec2(.3, .7), shim::vec2(.2, .9));
   EXPECT_NEAR(d.x, .5 * .8 * 3.5 * .1, tight);
   EXPECT_NEAR(d.y, .5 * .8 * 3.5 * -.2, tight);

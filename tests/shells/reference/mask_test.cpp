@@ -162,6 +162,24 @@ TEST(ReferenceClump, ShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
   EXPECT_NEAR(clump_shape(.25, 1, 16), .5, 1e-15);  // ln 4 = ln 16 / 2
 }
 
+// The three vertices of Bruderlin's hair move by h + w (1-h) of the way to the centre; the root stays.
+TEST(ReferenceClump, TheRateMovesThreeVertices) {
+  for (const double w : {0.0, .4, 1.0}) {
+    EXPECT_EQ(clump_shape(0, w, 16, "rate"), 0);
+    for (const double h : {1.0 / 3, 2.0 / 3, 1.0})
+      EXPECT_NEAR(clump_shape(h, w, 16, "rate"), h + w * (1 - h), 1e-14);
+    EXPECT_NEAR(clump_shape(1.0 / 6, w, 16, "rate"), (1 + 2 * w) / 6, 1e-14);
+    EXPECT_NEAR(clump_shape(.5, w, 16, "rate"), .5 + .5 * w, 1e-14);
+    double before = 0;
+    for (int n = 1; n <= 512; ++n) {
+      const double f = clump_shape(n / 512.0, w, 512, "rate");
+      EXPECT_GE(f, before - 1e-15);
+      EXPECT_LE(f, 1 + 1e-15);
+      before = f;
+    }
+  }
+}
+
 /// A mask with one clump: centre (.5, .5), radius .2, wetness .5.
 struct OneClump : testing::Test {
   FrameInput input = with({droplet(.5f, .5f, .2f, .5f)}, 64);
