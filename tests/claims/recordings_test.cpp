@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "harness/base/numbers.hpp"
@@ -33,7 +34,10 @@ ClaimFile only(const std::string& id) {
   return file;
 }
 
+constexpr double positive = std::numeric_limits<double>::infinity();
+
 void scale(Row& row, const std::string& phase, double by) {
+  if (std::isinf(by)) return;  // times are positive
   for (double& ms : row.samples[phase].wall_ms) ms *= by;
   for (double& ms : row.samples[phase].event_ms) ms *= by;
 }
@@ -47,12 +51,14 @@ double number_against(const Claim& claim, const Row& row) {
   return double_of(value).value_or(1);
 }
 
-/// Multiplies the quantity of the claim by `by` in a row, as a wrong measurement would.
+/// Multiplies the quantity of the claim by `by` in a row, as a wrong measurement would. With
+/// `by` = positive, the sign of each value becomes positive.
 void plant(const Claim& claim, Row& row, double by) {
   if (claim.quantity == Quantity::metric) {
     const auto found = row.metrics.find(claim.metric);
     if (found == row.metrics.end()) return;
     Metric& metric = found->second;
+    if (std::isinf(by)) by = metric.value < 0 ? -1 : 1;
     metric.value *= by;
     if (metric.low) metric.low = *metric.low * by;
     if (metric.high) metric.high = *metric.high * by;
@@ -85,7 +91,7 @@ TEST(Recordings, PlantedWrongRowsChangeTheVerdicts) {
       if (std::ranges::count(claim.experiments, found.row.experiment) > 0) own.push_back(found);
     const Verdict wanted = before.verdict == Verdict::holds ? Verdict::fails : Verdict::holds;
     bool turned = false;
-    for (const double by : {0.1, 10.0, 1.3, 0.7, 1e-3, 1e3, 1e-6, 1e6, 0.5, 2.0, -1.0, 0.0}) {
+    for (const double by : {0.1, 10.0, 1.3, 0.7, 1e-3, 1e3, 1e-6, 1e6, 0.5, 2.0, -1.0, 0.0, positive}) {
       std::vector<FoundRow> rows = own;
       for (FoundRow& found : rows) plant_effect(claim, found.row, by);
       turned = turned || judge(only(claim.id), rows).front().verdict == wanted;
