@@ -336,8 +336,9 @@ Discards discards(const FrameInput& input, int frames) {
   std::vector<Discards> row(std::size_t(mask.size));
   std::vector<double> wet(row.size());
   for_each_index(row.size(), 4, [&](std::size_t j) {
-    for (int i = 0; i < mask.size; ++i) {
-      const glm::dvec2 uv = glm::dvec2(i + .5, double(j) + .5) / double(mask.size);
+    for (int i = 0; i < 4 * mask.size; ++i) {  // four positions in each texel
+      const glm::dvec2 in_texel(.25 + .5 * (i % 2), .25 + .5 * (i / 2 % 2));
+      const glm::dvec2 uv = (glm::dvec2(i / 4, double(j)) + in_texel) / double(mask.size);
       if (!(mask.nearest(uv).wetness > 0.0)) continue;
       for (int n = 0; n < layers; ++n) {
         const Displacement found = clump_displacement(input, mask, uv, n);

@@ -108,8 +108,9 @@ struct Displacement {
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
                                 Mutant mutant = Mutant::none);
 
-/// The parts of the wet fur that the two tests of S Algorithm 2 discard, over the centres of the wet texels
-/// and all layers. `dry` does not count what `outside` counts.
+/// The parts of the wet fur that the two tests of S Algorithm 2 discard, over four positions in each wet
+/// texel and all layers. A texel's centre lies in its clump's disc, so only other positions can be outside.
+/// `dry` does not count what `outside` counts.
 struct Discards {
   double outside = 0, dry = 0;
 };
