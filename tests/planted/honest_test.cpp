@@ -1,5 +1,5 @@
 // Tests correct runs that resemble the faulty ones of the other tests: pelage must neither refuse their
-// results nor divide them. The second table of docs/results.md lists these tests.
+// results nor divide them. docs/results.md names them.
 
 #include "harness/record/identity.hpp"
 #include "harness/report/report.hpp"
