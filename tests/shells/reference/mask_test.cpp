@@ -202,7 +202,7 @@ TEST(ReferenceClump, DiscardsAreTheTwoTestsOfAlgorithm2) {
 struct OneClump : testing::Test {
   FrameInput input = with({droplet(.5f, .5f, .2f, .5f)}, 64);
   Mask mask = wetness_mask(input);
-  OneClump() { input.scene.clump = {0, 10, "literal", "separate"}; }
+  OneClump() { input.scene.clump = {0, "logarithmic", 10, "literal", "separate"}; }
 };
 
 TEST_F(OneClump, DryFurStays) {
@@ -256,7 +256,7 @@ TEST(ReferenceClump, SeparateCellsDoNotFillEachOthersGaps) {
   // The mask has two clumps of equal radius. The second clump overwrites the first clump where their discs
   // overlap.
   FrameInput input = with({droplet(.4f, .5f, .12f, .5f), droplet(.6f, .5f, .12f, .5f)}, 64);
-  input.scene.clump = {0, 2 / .12f, "literal", "separate"};
+  input.scene.clump = {0, "logarithmic", 2 / .12f, "literal", "separate"};
   const Mask mask = wetness_mask(input);
   // On the outermost layer, the first clump displaces the fragment at p by d = (.05, 0) to (.5, .5), a point
   // of the second clump. With clump.cells = "separate", the fragment must be discarded. With "literal", it
