@@ -219,9 +219,15 @@ std::string scene_hash(const Scene& scene) {
   std::string all;
   // Rows that were recorded before these keys existed have the default values. Their hashes stay valid,
   // because a default value is not hashed.
+  static constexpr std::pair<std::string_view, std::string_view> later_keys[] = {
+      {"fur.layer_correction", "\"texel\""},
+      {"dynamics.springs.vertices", "\"points\""},
+      {"clump.function", "\"logarithmic\""},
+  };
   const auto is_hashed = [](const Key& key) {
-    return key.name != "pipeline" && (key.name != "fur.layer_correction" || value_text(key) != "\"texel\"") &&
-           (key.name != "dynamics.springs.vertices" || value_text(key) != "\"points\"");
+    return key.name != "pipeline" && std::ranges::none_of(later_keys, [&](const auto& later) {
+             return key.name == later.first && value_text(key) == later.second;
+           });
   };
   const auto add = [&](const std::vector<Key>& keys, std::string_view prefix) {
     for (const Key& key : keys)

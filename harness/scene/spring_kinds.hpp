@@ -68,7 +68,7 @@ inline constexpr Solver Solver::predictor_corrector{"predictor-corrector", false
 
 /// The method that Banisch and Wuethrich 2006 compare theirs with (docs/springs.md): the mean of the forces
 /// of two steps leans a stick. Only for topologies without springs between tops.
-inline constexpr Solver Solver::wind_vectors{"wind-vectors", false, false, 1, false};
+inline constexpr Solver Solver::wind_vectors{.name = "wind-vectors", .newton = false};
 
 extern const std::span<const Solver> solvers;  ///< the table of time integration schemes
 extern const std::span<const Solver> methods;  ///< the schemes, and then the methods without Newton's law

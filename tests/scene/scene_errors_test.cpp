@@ -84,7 +84,7 @@ const std::vector<test::Bad> bad_scenes = {
     {"dynamics.topology = 'sticks'\ndynamics.springs.stiffness = -1",
      "dynamics.springs.stiffness: -1 is out of range"},
     {"dynamics.springs.return_weight = nan", "dynamics.springs.return_weight: nan is not a finite number"},
-    {"dynamics.bend = 'cubic'", "give \"linear\", \"paper\" or \"tangent\""},
+    {"dynamics.bend = 'cubic'", "give \"linear\", \"paper\", \"tangent\" or \"trigonometric\""},
     {"dynamics.bend_power = 0", "dynamics.bend_power: 0 is out of range; give 1 to 16"},
     {"dynamics.solver = 'rk4'",
      "dynamics.solver: not supported by dynamics.topology \"silva\"; give another topology"},
