@@ -8,8 +8,8 @@
 #   Figure 8: (a) elephant, (b) dog, (c) grass. Figure 12: parted grass.
 #   Figure 13: waving grass in steps of 0.2 s.
 #
-# The script also draws Figures 3 to 5 (the mass-spring topologies on the square model banisch-grass) as
-# docs/look/topologies.svg.
+# The script also draws six frames of examples/grass-closing.toml as docs/look/grass-closing.jpg, and Figures 3 to 5
+# (the mass-spring topologies on the square model banisch-grass) as docs/look/topologies.svg.
 # Usage: scripts/grass_sheet.sh [options of pelage render]. The environment variable PELAGE can name another pelage
 # binary.
 set -eu
@@ -51,4 +51,10 @@ done
 # shellcheck disable=SC2046
 oiiotool $(printf "$pictures/%s.png " $(seq -w 20)) --mosaic 4x5 \
   --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/banisch2006.jpg
+for time in 0 0.3 0.7 1.1 1.5 4; do
+  draw "closing-$time" grass-closing --set dynamics.time=$time "$@"
+done
+# shellcheck disable=SC2046
+oiiotool $(printf "$pictures/closing-%s.png " 0 0.3 0.7 1.1 1.5 4) --mosaic 3x2 \
+  --resize 960x480 --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/grass-closing.jpg
 "$pelage" topology banisch-grass --length 0.4 --draw docs/look/topologies.svg >/dev/null

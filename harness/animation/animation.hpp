@@ -79,7 +79,8 @@ struct FrameTimes {
 /// both ends are given, or if there is no end.
 FrameTimes frame_times(const TimeOptions& options, const Scene& scene);
 
-/// Throws InputError if the scene is not valid at the time of a frame, or if the frames have different sizes.
+/// Throws InputError if the scene is not valid at the time of a frame or of a simulated frame, or if the
+/// frames have different sizes.
 void check_frames(const Scene& scene, const FrameTimes& times);
 
 /// Call this before the frames are drawn: throws InputError if the folder of `file` does not exist, unless it

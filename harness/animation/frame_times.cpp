@@ -75,6 +75,9 @@ void check_frames(const Scene& scene, const FrameTimes& times) {
           "image.width, image.height: the frame at {} s has {}x{} pixels and the first frame {}x{}; all frames must have one size, so remove the keyframes or give --size",
           seconds, image.width, image.height, first.width, first.height));
   }
+  if (!forces_change(scene)) return;
+  const Scene last = picture_scene(scene, times.at(times.count - 1));
+  for (int i = 0; i <= frames_before(last.dynamics); ++i) dynamics_of_frame(last, i);
 }
 
 }  // namespace pelage

@@ -96,13 +96,28 @@ Picture wind_of(const Scene& scene, const DiagramOptions& options) {
   return picture;
 }
 
-diagrams::Section clump_of(const Scene& scene) {
+diagrams::Section shape_of(const Scene& scene, const DiagramOptions&) {
+  return diagrams::shape_section(scene);
+}
+
+diagrams::Section curl_of(const Scene& scene, const DiagramOptions&) {
+  return diagrams::curl_section(scene);
+}
+
+diagrams::Section clump_of(const Scene& scene, const DiagramOptions&) {
   const glm::vec2 length = load_scene_mesh(scene)->length_per_uv;
   return diagrams::clump_section(scene, 0.5 * (double(length.x) + double(length.y)));
 }
 
-diagrams::Section layers_of(const Scene& scene) {
+diagrams::Section layers_of(const Scene& scene, const DiagramOptions&) {
   return diagrams::layer_section(*prepare(scene, load_scene_mesh(scene)), frames_before(scene.dynamics) + 1);
+}
+
+diagrams::Section path_of(const Scene& scene, const DiagramOptions& options) {
+  const auto mesh = load_scene_mesh(scene);
+  if (scene.pipeline.starts_with("strands"))
+    return diagrams::path_section(*strands::prepare_strands(scene, mesh), options.most);
+  return diagrams::path_section(*prepare(scene, mesh), options.most);
 }
 
 /// A diagram that this command draws: either a picture or a table.
@@ -110,7 +125,7 @@ struct Kind {
   const char* name;
   const char* what;
   Picture (*picture)(const Scene&, const DiagramOptions&);
-  diagrams::Section (*section)(const Scene&);
+  diagrams::Section (*section)(const Scene&, const DiagramOptions&);
 };
 
 constexpr Kind kinds[] = {
@@ -119,10 +134,11 @@ constexpr Kind kinds[] = {
     {"slices", "four slices of the fur's volume texture", slices_of, nullptr},
     {"lines", "the fur with the strands of the mass-spring model as white lines", lines_of, nullptr},
     {"wind", "the fur with a red arrow in the direction of the wind", wind_of, nullptr},
-    {"shape", "the factor f(h) of S Eq. 5 for five values of clump.shape", nullptr, diagrams::shape_section},
+    {"shape", "the factor f(h) of S Eq. 5 for five values of clump.shape", nullptr, shape_of},
     {"clump", "the strands of a clump in a vertical plane", nullptr, clump_of},
-    {"curl", "the curl of an upright strand for three wetnesses", nullptr, diagrams::curl_section},
+    {"curl", "the curl of an upright strand for three wetnesses", nullptr, curl_of},
     {"layers", "the layers over the cut of the mesh by the plane z = 0", nullptr, layers_of},
+    {"path", "the path of the tip that moves farthest, from 0 s to dynamics.time", nullptr, path_of},
 };
 
 int diagram(const DiagramOptions& options) {
@@ -140,7 +156,7 @@ int diagram(const DiagramOptions& options) {
   const Scene resolved = resolve_scene(options.scene);
   const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
   if (kind->section)
-    write_drawn_table(options.output, diagrams::csv_of(kind->section(scene)));
+    write_drawn_table(options.output, diagrams::csv_of(kind->section(scene, options)));
   else
     write_picture(options.output, kind->picture(scene, options));
   return 0;
@@ -165,7 +181,8 @@ void add_diagram(CLI::App& app, Chosen& chosen) {
       "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn in both formats, beside the .csv; - prints the table");
   add_value(command, "--side", options.side, "PIXELS", "Pixels per side of the mask")
       ->check(CLI::Range(16, 8192));
-  add_value(command, "--most", options.most, "N", "Largest number of strands that are drawn as lines")
+  add_value(command, "--most", options.most, "N",
+            "Largest number of strands that are drawn as lines, or among which path chooses")
       ->check(CLI::Range(1, 1000000));
   add_value(command, "--line-width", options.width, "PIXELS",
             "Width of the lines of strands and of the arrow, in pixels")

@@ -136,7 +136,8 @@ StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStr
 }
 
 std::pair<std::vector<KeyStrand>, std::shared_ptr<const strands::SkinSurface>> reference_keys(
-    const StrandInput& input, int frames) {
+    const StrandInput& input, int frames,
+    const std::function<void(const std::vector<strands::KeyStrand>&)>& each) {
   const int substeps = input.scene.dynamics.substeps;
   std::optional<strands::SkinFrames> skin;
   if (!input.mesh->frames.empty()) {
@@ -145,8 +146,22 @@ std::pair<std::vector<KeyStrand>, std::shared_ptr<const strands::SkinSurface>> r
   }
   std::vector<naive::State> states;
   for (const Chain& chain : input.fur.chains) states.push_back(naive::at_rest(chain));
+  const auto keys_after = [&](int count) {
+    const springs::Pose pose =
+        springs::pose_at(input.dynamics.motion, double(count) * substeps * double(input.dynamics.step));
+    std::vector<KeyStrand> keys = input.fur.keys;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      keys[i].first = glm::vec3(springs::turned(states[i].u, pose.axis, -pose.angle));
+      keys[i].second = glm::vec3(springs::turned(states[i].w, pose.axis, -pose.angle));
+      if (!skin) continue;
+      keys[i].root = skin->frame().root[i];
+      keys[i].normal = skin->frame().normal[i];
+      keys[i].rest = skin->frame().rest[i];
+    }
+    return keys;
+  };
   // If neither the skin nor a force changes, all steps of a chain are computed at once.
-  const bool by_frame = skin || forces_change(input.scene);
+  const bool by_frame = skin || forces_change(input.scene) || each;
   const int passes = by_frame ? frames : 1, steps = by_frame ? substeps : frames * substeps;
   for (int pass = 0; pass < passes; ++pass) {
     strands::SkinFrame from;
@@ -163,19 +178,9 @@ std::pair<std::vector<KeyStrand>, std::shared_ptr<const strands::SkinSurface>> r
                                 point ? &*point : nullptr);
       }
     });
+    if (each) each(keys_after(pass + 1));
   }
-  const springs::Pose pose =
-      springs::pose_at(input.dynamics.motion, double(frames) * substeps * double(input.dynamics.step));
-  std::vector<KeyStrand> keys = input.fur.keys;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    keys[i].first = glm::vec3(springs::turned(states[i].u, pose.axis, -pose.angle));
-    keys[i].second = glm::vec3(springs::turned(states[i].w, pose.axis, -pose.angle));
-    if (!skin) continue;
-    keys[i].root = skin->frame().root[i];
-    keys[i].normal = skin->frame().normal[i];
-    keys[i].rest = skin->frame().rest[i];
-  }
-  return {std::move(keys), skin ? skin->surface() : input.skin};
+  return {keys_after(frames), skin ? skin->surface() : input.skin};
 }
 
 StrandFrame reference_strands(const StrandInput& input, int frames) {

@@ -2,6 +2,7 @@
 // of the strands, the list of strands to draw, and the picture.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -59,9 +60,10 @@ StrandFrame reference_strands(const strands::StrandInput& input, const std::vect
                               std::shared_ptr<const strands::SkinSurface> skin);
 
 /// Simulates `frames` frames from rest with the reference alone. Returns the key strands, and the skin of the
-/// last frame or null.
+/// last frame or null. Calls `each` with the key strands after each frame.
 std::pair<std::vector<strands::KeyStrand>, std::shared_ptr<const strands::SkinSurface>> reference_keys(
-    const strands::StrandInput& input, int frames);
+    const strands::StrandInput& input, int frames,
+    const std::function<void(const std::vector<strands::KeyStrand>&)>& each = {});
 
 /// Computes the picture after `frames` frames from rest with the reference alone. Uses all cores; a frame of
 /// 70,000 key strands takes about 0.1 s.

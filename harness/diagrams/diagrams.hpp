@@ -11,6 +11,7 @@
 
 #include "harness/picture/picture.hpp"
 #include "harness/prepare/frame_input.hpp"
+#include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage::diagrams {
 
@@ -43,6 +44,15 @@ Section curl_section(const Scene& scene);
 /// h, x and y (position, R). The points of a layer lie where the strands of the cut reach it, which may be in
 /// front of the plane or behind it.
 Section layer_section(const FrameInput& input, int frames);
+
+/// The path of a strand's tip in the pictures of the times 0, d, 2 d, ..., dynamics.time, where d is the
+/// duration of a frame, with the reference. The function simulates about `most` strands (sticks, or key
+/// strands), and takes the one whose tip is once farthest from its position at rest. Columns: t (s), x and y
+/// (position of the tip relative to the root, R: y along the surface normal, x along the part of the greatest
+/// displacement that is orthogonal to the normal), rest_x and rest_y (the same at rest), apart (distance from
+/// the position at rest, in lengths of the strand).
+Section path_section(const FrameInput& input, std::size_t most);
+Section path_section(const strands::StrandInput& input, std::size_t most);
 
 // Lines over a picture of the fur: the strands of the mass-spring model, as in S Fig. 4 (a), and the
 // direction of the wind, as in S Fig. 4 (b).

@@ -6,6 +6,7 @@
 
 #include "harness/diagrams/diagrams.hpp"
 #include "harness/error.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/layers.hpp"
 
@@ -139,7 +140,7 @@ void draw_line(Picture& picture, glm::dvec2 a, glm::dvec2 b, double width, const
 }
 
 void draw_wind_arrow(Picture& picture, const FrameInput& input, double width) {
-  const WindScene& wind = input.scene.dynamics.wind;
+  const WindScene wind = dynamics_of_frame(input.scene, frames_before(input.scene.dynamics)).wind;
   if (!(wind.strength > 0)) throw InputError("dynamics.wind.strength is 0, so there is no wind to draw");
   const Camera& camera = input.camera;
   const double height = picture.height, depth = reference::project(camera, glm::dvec3(0)).w;

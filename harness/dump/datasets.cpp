@@ -75,7 +75,8 @@ void write_strand_rules(Hdf5File& file, const FaceSprings& strands) {
   file.write(
       "strand/anchor", strands.anchor, "R",
       "vectors from the roots to the rest positions of the tips; their length is fur.length, with fur.length_map times style/length");
-  file.write("strand/phase", strands.phase, "1", "cosine and sine of the wind gust's phase at the root");
+  file.write("strand/phase", strands.phase, "1",
+             "cosine and sine of the wind gust's phase at the root (with keyframes of the wind: at 0 s)");
   file.write("weight/row", strands.row, "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", strands.face, "1",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "harness/error.hpp"
@@ -33,6 +34,16 @@ KeyValue value_at(const std::vector<Keyframe>& frames, double seconds) {
   const Keyframe& last = next[-1];
   if (next == frames.end()) return last.value;
   return between(last.value, next->value, (seconds - last.time) / (next->time - last.time));
+}
+
+/// Returns the value of a force that is farthest from 0 at any time.
+const KeyValue& strongest(const KeyTrack& track) {
+  const auto size = [](const Keyframe& frame) {
+    if (const auto* number = std::get_if<float>(&frame.value)) return std::abs(*number);
+    const auto* vector = std::get_if<glm::vec3>(&frame.value);
+    return vector ? glm::length(*vector) : 0.0f;
+  };
+  return std::ranges::max_element(track.frames, {}, size)->value;
 }
 
 void check_track(const KeyTrack& track, const std::vector<Key>& keys, const std::string& source) {
@@ -70,7 +81,12 @@ Scene scene_at(const Scene& scene, double seconds) {
       throw InputError(fmt::format("keyframes.\"{}\": no such key, or no keyframe", track.key));
     set_key(*key, value_at(track.frames, seconds));
   }
-  check_scene(result, fmt::format("keyframes at {} s", seconds));
+  const std::string source = fmt::format("keyframes at {} s", seconds);
+  check_scene(result, source);
+  // The motion up to this time has the earlier forces, and the other keys' values at this time.
+  for (const KeyTrack& track : scene.keyframes.tracks)
+    if (is_force_key(track.key)) set_key(*find_key(keys, track.key), strongest(track));
+  if (forces_change(scene)) check_scene(result, source);
   for (const KeyTrack& track : scene.keyframes.tracks) {
     if (!is_force_key(track.key)) continue;
     set_key(*find_key(keys, track.key), value_at(track.frames, 0));

@@ -51,7 +51,8 @@ bool is_force_key(std::string_view key);
 /// interpolated linearly between two keyframes. Whole numbers, strings, paths and truth values have the value
 /// of the last keyframe that is reached. Before the first keyframe, a key has the value of the first
 /// keyframe, and after the last keyframe that of the last one. Throws InputError if the scene at this time is
-/// not valid, for instance because an interpolated direction is zero.
+/// not valid, for instance because an interpolated direction is zero, or if it does not permit a force of
+/// another time.
 Scene scene_at(const Scene& scene, double seconds);
 
 /// True if the scene has keyframes of forces.

@@ -12,8 +12,8 @@ class Renderer {
   /// Opens the backend. `scene` is the scene of the first picture.
   Renderer(KnownBackend known, const BackendOptions& options, const Scene& scene);
 
-  /// Draws the scene after dynamics.time seconds of motion from the fur at rest. The scene has no keyframes.
-  /// The picture has the same bits as that of a new renderer.
+  /// Draws the scene after dynamics.time seconds of motion from the fur at rest. The scene has only keyframes
+  /// of forces. The picture has the same bits as that of a new renderer.
   Picture draw(const Scene& scene, const std::shared_ptr<const Mesh>& mesh);
   double ms() const { return ms_; }  ///< wall time of the last picture, ms
   std::string device() const { return backend_->device(); }

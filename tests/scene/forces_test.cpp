@@ -60,5 +60,22 @@ TEST(ForceKeyframes, AnInvalidForceIsAnError) {
                    "points nowhere");
 }
 
+TEST(ForceKeyframes, ThatTheSceneOfAnotherTimeDoesNotPermitAreAnError) {
+  const std::string wind =
+      "[dynamics]\ntopology = \"sticks\"\n[keyframes]\n\"dynamics.wind.strength\" = [[0, 0.03], [1, 0]]\n";
+  EXPECT_NO_THROW(parse_scene(wind + "\"dynamics.drag\" = [[0, 0.004], [1, 0.001]]", "s.toml"));
+  // Without drag, the picture at 1 s would lose the wind before.
+  test::expect_has(
+      test::refusal([&] { parse_scene(wind + "\"dynamics.drag\" = [[0, 0.004], [1, 0]]", "s.toml"); }),
+      "keyframes at 1 s: dynamics.wind.strength: with a mass-spring topology, the wind has no effect");
+  test::expect_has(test::refusal([] {
+                     parse_scene(
+                         "[keyframes]\n\"dynamics.topology\" = [[0, \"sticks\"], [1, \"silva\"]]\n"
+                         "\"dynamics.poke.radius\" = [[0, 0.5], [1, 0]]",
+                         "s.toml");
+                   }),
+                   "keyframes at 1 s: dynamics.poke.radius: not supported by dynamics.topology");
+}
+
 }  // namespace
 }  // namespace pelage

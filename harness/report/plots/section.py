@@ -124,6 +124,27 @@ def mark_displacement(axis, rows):
     axis.set_ylim(top=above + 0.08 * (top - bottom))
 
 
+def draw_path(rows):
+    """Draws the path of a tip, with a line from the root at six times of its motion, and the tip's distance from its
+    position at rest."""
+    figure, (path, time) = plt.subplots(1, 2, figsize=(7.2, 3.0), constrained_layout=True)
+    path.plot(column(rows, "x"), column(rows, "y"), color=style.COLOURS[0], linewidth=1.0)
+    moving = [row for row in rows if row["apart"] > 0.02] or rows
+    for i in range(6):
+        row = moving[(len(moving) - 1) * i // 5]
+        path.plot([0, row["x"]], [0, row["y"]], color="0.7", linewidth=0.8)
+        path.annotate(f"{row['t']:.3g} s", (row["x"], row["y"]), xytext=(2, 2), textcoords="offset points", fontsize=7)
+    path.plot([rows[0]["rest_x"]], [rows[0]["rest_y"]], "o", color="#D00000", markersize=4, label="at rest")
+    path.legend(frameon=False)
+    plain(path, "x, R", "y, R")
+    time.plot(column(rows, "t"), column(rows, "apart"), color=style.COLOURS[0])
+    time.axhline(0.02, color="#D00000", linewidth=0.8, linestyle="--", label="2% of the length")
+    time.legend(frameon=False)
+    plain(time, "time, s", "distance from rest, lengths", equal=False)
+    time.set_ylim(bottom=0)
+    return figure
+
+
 def draw_water(rows):
     figure, axis = plt.subplots(figsize=(4.8, 3.2), constrained_layout=True)
     parts = ["unsoaked", "held", "evaporated", "dripped"]
@@ -138,7 +159,8 @@ def draw_water(rows):
     return figure
 
 
-DRAWN = {"time_s": draw_water, "w": draw_shape, "strand": draw_clump, "rho": draw_curl, "segment": draw_layers}
+DRAWN = {"time_s": draw_water, "w": draw_shape, "strand": draw_clump, "rho": draw_curl, "segment": draw_layers,
+         "t": draw_path}
 
 
 def main(rows, table, outputs):

@@ -2,6 +2,7 @@
 // mass and each spring separately, as in the paper, and shares no code with the kernels.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -76,7 +77,8 @@ struct SomeSticks {
   std::vector<glm::dvec3> velocity;  ///< per stick: velocity of the top mass in R/s, in the object's frame
 };
 /// Computes the state of about `count` sticks with evenly spaced indices, or of all sticks of the topology
-/// prisms, in which each stick depends on all others.
-SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count);
+/// prisms, in which each stick depends on all others. Calls `each` with the offsets after each frame.
+SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count,
+                                 const std::function<void(const std::vector<glm::dvec3>&)>& each = {});
 
 }  // namespace pelage::springs

@@ -78,7 +78,8 @@ reference::State moved_sticks(const SpringNetwork& whole, const Mesh& mesh, cons
 
 }  // namespace
 
-SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count) {
+SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count,
+                                 const std::function<void(const std::vector<glm::dvec3>&)>& each) {
   const Scene& scene = input.scene;
   if (scene.dynamics.tolerance > 0)
     throw InputError(fmt::format(
@@ -91,10 +92,13 @@ SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_
     return moved_sticks(network, *input.mesh, part, some.stick, forces, std::move(from), first, number);
   };
   reference::State state = reference::rest(part);
-  if (!forces_change(scene))
+  if (!forces_change(scene) && !each)
     state = moved(scene.dynamics, std::move(state), 0, frames);
   else
-    for (int i = 0; i < frames; ++i) state = moved(dynamics_of_frame(scene, i), std::move(state), i, 1);
+    for (int i = 0; i < frames; ++i) {
+      state = moved(dynamics_of_frame(scene, i), std::move(state), i, 1);
+      if (each) each(reference::offsets(part, state));
+    }
   some.offset = reference::offsets(part, state);
   for (std::size_t i = 0; i < part.sticks(); ++i) some.velocity.push_back(state.velocity[part.top(i)]);
   return some;
