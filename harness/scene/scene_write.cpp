@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 #include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
 #include "harness/scene/scene_keys.hpp"
