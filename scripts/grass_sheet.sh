@@ -8,8 +8,9 @@
 #   Figure 8: (a) elephant, (b) dog, (c) grass. Figure 12: parted grass.
 #   Figure 13: waving grass in steps of 0.2 s.
 #
-# The script also draws six frames of examples/grass-closing.toml as docs/look/grass-closing.jpg, and Figures 3 to 5
-# (the mass-spring topologies on the square model banisch-grass) as docs/look/topologies.svg.
+# The script also draws six frames of examples/grass-closing.toml as docs/look/grass-closing.jpg, Figures 3 to 5 (the
+# mass-spring topologies on the square model banisch-grass) as docs/look/topologies.svg, and each model of Figure 8 in
+# both readings, the paper's on the left, as docs/look/banisch2006-elephant.jpg, -dog.jpg and -grass.jpg.
 # Usage: scripts/grass_sheet.sh [options of pelage render]. The environment variable PELAGE can name another pelage
 # binary.
 set -eu
@@ -38,8 +39,13 @@ draw 06 grass-return "$@"
 draw 07 grass-return --set dynamics.springs.return_weight=0 "$@"
 draw 08 grass-return --set dynamics.time=3 "$@"
 draw 09 elephant "$@"
-draw 10 elephant --model banisch-dog --set fur.layers=12 --set 'camera.direction=[1.3,0.8,2.35]' \
-  --set 'shading.light=[{direction=[0.35,1.0,0.8],intensity=0.85}]' "$@"
+draw_dog() {
+  picture=$1
+  shift
+  draw "$picture" elephant --model banisch-dog --set fur.layers=12 --set 'camera.direction=[1.3,0.8,2.35]' \
+    --set 'shading.light=[{direction=[0.35,1.0,0.8],intensity=0.85}]' "$@"
+}
+draw_dog 10 "$@"
 draw 11 grass-waving --set dynamics.wind.strength=0 "$@"
 draw 12 grass-parting "$@"
 number=12
@@ -48,9 +54,23 @@ for time in 0.2 0.4 0.6 0.8 1.0 1.2 1.4 1.6; do
   draw $number grass-waving --set dynamics.time=$time "$@"
 done
 
+# Usage: sheet FILE.jpg COLUMNSxROWS PICTURE.png ...
+sheet() {
+  file=$1 shape=$2
+  shift 2
+  oiiotool "$@" --mosaic "$shape" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o "docs/look/$file"
+}
+
+for reading in paper pelage; do
+  draw elephant-$reading elephant --reading $reading "$@"
+  draw_dog dog-$reading --reading $reading "$@"
+  draw grass-$reading grass-waving --set dynamics.wind.strength=0 --reading $reading "$@"
+done
+for model in elephant dog grass; do
+  sheet banisch2006-$model.jpg 2x1 "$pictures/$model-paper.png" "$pictures/$model-pelage.png"
+done
 # shellcheck disable=SC2046
-oiiotool $(printf "$pictures/%s.png " $(seq -w 20)) --mosaic 4x5 \
-  --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/banisch2006.jpg
+sheet banisch2006.jpg 4x5 $(printf "$pictures/%s.png " $(seq -w 20))
 for time in 0 0.3 0.7 1.1 1.5 4; do
   draw "closing-$time" grass-closing --set dynamics.time=$time "$@"
 done

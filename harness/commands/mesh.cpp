@@ -203,6 +203,7 @@ namespace {
 struct TopologyCommand : SourceOptions {
   std::string drawing;
   float length = 0.15f;
+  bool markdown = false;
 };
 
 // Maps the name of a topology to the numbers of masses and springs that a paper prints for a model.
@@ -250,11 +251,44 @@ void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
   write_text_atomically(path, svg);
 }
 
+/// Prints a Markdown table: the numbers that the paper prints, and ours with sticks on surface points and, if
+/// the mesh has UV seams, on vertices.
+void print_markdown(const Mesh& mesh, const Topology& counts, const Published& published) {
+  std::string head = "| model | counted | vertices | faces |", line = "| --- | --- | --- | --- |";
+  std::string paper, points, copies;
+  const auto pair = [](std::size_t a, std::size_t b) { return fmt::format(" {} / {} |", a, b); };
+  for (const springs::Kind& kind : springs::kinds) {
+    head += fmt::format(" {} |", kind.name), line += " --- |";
+    const auto said = published.find(std::string(kind.name));
+    paper += said == published.end() ? " - |" : pair(said->second[0], said->second[1]);
+    const auto counted = [&](springs::Vertices vertices) {
+      const springs::SpringNetwork built = springs::build(kind, mesh, any_length, vertices);
+      return pair(built.mass.size(), built.spring.size());
+    };
+    points += counted(springs::Vertices::points);
+    copies += counted(springs::Vertices::copies);
+  }
+  const auto print = [&](std::string_view of, std::size_t vertices, std::size_t faces,
+                         const std::string& cells) {
+    fmt::print("| {} | {} | {} | {} |{}\n", mesh.name, of, vertices, faces, cells);
+  };
+  fmt::print("{}\n{}\n", head, line);
+  if (const auto said = published.find("mesh"); said != published.end())
+    print("in the paper", said->second[0], said->second[1], paper);
+  print("on points", counts.points, counts.faces, points);
+  if (counts.copies != counts.points) print("on vertex copies", counts.copies, counts.faces, copies);
+}
+
 int count_springs(const TopologyCommand& command) {
   const auto mesh = load_model(command.model, command.mesh_options());
   if (!command.drawing.empty()) write_drawing(*mesh, command);
   const Topology counts = topology(*mesh);
-  const Published published = command.faces ? Published() : published_of(command.model);
+  Published published = command.faces ? Published() : published_of(command.model);
+  if (command.markdown) {
+    print_markdown(*mesh, counts, published);
+    return 0;
+  }
+  published.erase("mesh");
   fmt::print(
       "{}: {} surface points, {} vertices (a point on a UV seam has several vertices), {} edges, {} faces\n",
       mesh->name, counts.points, counts.copies, counts.edges, counts.faces);
@@ -289,6 +323,8 @@ void add_topology(CLI::App& app, Chosen& chosen) {
                   "Length of the sticks in the drawing, in radii of the bounding sphere")
       ->check(CLI::Range(0.001f, 10.0f))
       ->capture_default_str();
+  command.add_flag("--markdown", options.markdown,
+                   "Print masses / springs as a Markdown table, beside the numbers that the paper prints");
 }
 
 }  // namespace pelage

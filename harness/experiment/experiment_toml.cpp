@@ -131,6 +131,8 @@ View read_view(const fs::path& file, const toml::table& table) {
   View view;
   for (const auto& [key, member] : view_lists) view.*member = in.texts(key);
   view.x = in.text("x");
+  view.marks = in.text("marks");
+  if (!view.marks.empty() && view.marks != "bars") in.refuse("marks", "marks must be \"bars\"");
   view.program = in.text("program");
   const std::vector<std::string> scale = in.texts("scale");
   for (const std::string& one : scale)

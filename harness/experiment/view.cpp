@@ -5,8 +5,11 @@
 namespace pelage {
 namespace {
 
-constexpr std::pair<const char*, std::string View::*> texts[] = {
-    {"x", &View::x}, {"x_scale", &View::x_scale}, {"y_scale", &View::y_scale}, {"program", &View::program}};
+constexpr std::pair<const char*, std::string View::*> texts[] = {{"x", &View::x},
+                                                                 {"x_scale", &View::x_scale},
+                                                                 {"y_scale", &View::y_scale},
+                                                                 {"marks", &View::marks},
+                                                                 {"program", &View::program}};
 
 }  // namespace
 

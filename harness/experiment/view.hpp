@@ -18,6 +18,7 @@ struct View {
   std::vector<std::string> y = {};  ///< columns on the vertical axis; each column gives one plot
   std::vector<std::string> series = {}, panels = {};
   std::string x_scale = {}, y_scale = {};  ///< "linear" or "log"
+  std::string marks = {};    ///< "bars": plots with categories on the horizontal axis have bars; else points
   std::string program = {};  ///< name of a program in plots/ that draws a plot only for this experiment
   bool operator==(const View&) const = default;
 };

@@ -18,8 +18,9 @@ std::map<std::string, Counts> published_counts(const std::filesystem::path& file
     for (unsigned i = 0; i < 2; ++i) {
       const auto count = pair && pair->size() == 2 ? (*pair)[i].value_exact<std::int64_t>() : std::nullopt;
       if (!count || *count < 0 || *count > 100'000'000)
-        refuse(file, &value,
-               "published must be a table with entries TOPOLOGY = [number of masses, number of springs]");
+        refuse(
+            file, &value,
+            "published must be a table with entries TOPOLOGY = [number of masses, number of springs] or mesh = [number of vertices, number of faces]");
       found[std::string(name.str())][i] = std::uint32_t(*count);
     }
   }

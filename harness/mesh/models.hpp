@@ -20,7 +20,7 @@ struct Model {
   bool stand_in = false;
   std::string licence, footnote;
   /// Numbers of masses and springs that Banisch and Wuethrich 2006 publish for this model, for each
-  /// mass-spring topology.
+  /// mass-spring topology; under the name "mesh", their numbers of vertices and faces.
   std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 

@@ -2,6 +2,7 @@
 // table.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "harness/measure/provenance.hpp"
@@ -62,25 +63,34 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   return columns;
 }
 
+/// Returns whether the experiment's tables and plots show all its variants side by side.
+bool shows_variants(const View& view) {
+  return std::ranges::any_of(
+      view_lists, [&](const auto& list) { return std::ranges::count(view.*list.second, "variant") > 0; });
+}
+
 Section paper_section(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
   sort_cells(cells);  // by the number of triangles, like the papers' tables
   const Cell& any = cells.front();
   const Experiment experiment = shipped_experiment(any.experiment).value_or(Experiment{});
+  View view = view_of(cells);
   std::vector<std::string> remarks{
       "Frames per second: 1000 divided by the median wall time of a warm frame in ms. The wall time lasts from the frame's first enqueued kernel to the end of its last kernel.",
-      "Ratio: ours divided by the paper's."};
+  };
+  const bool every_variant = shows_variants(view);
+  if (!every_variant) remarks.emplace_back("Ratio: ours divided by the paper's.");
   if (!experiment.hardware.empty())
     remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
                                   experiment.table.empty() ? "the paper" : experiment.table,
                                   experiment.hardware));
-  Section section = section_of(cells, paper_columns(cells), stem, sources,
-                               {{"layers"}, {"model"}, {"size"}, {"fps", "paper_fps", "ratio"}}, remarks);
+  Layout layout{{"layers"}, {"model"}, {"size"}, {"fps", "paper_fps", "ratio"}};
+  if (every_variant) layout.groups = view.columns, layout.values = view.values;
+  Section section = section_of(cells, paper_columns(cells), stem, sources, layout, remarks);
   Table& table = section.table;
   add_remarks(table, mark_remarks(cells));
   if (!any.reading().empty()) table.title += ", " + any.reading() + " reading";
   if (!any.reading().empty()) table.stem += "-" + any.reading();
-  if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
-  View view = view_of(cells);
+  if (!every_variant && any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
   if (view.x.empty() && has_column(table, "triangles")) {
     view.x = "triangles";
     if (view.panels.empty()) view.panels = table.layout.blocks;
@@ -97,7 +107,8 @@ Section paper_section(std::vector<Cell> cells, const std::string& stem, const So
 std::vector<Section> paper_sections(const std::vector<Cell>& cells, const std::string& stem,
                                     const Sources& sources) {
   std::map<std::pair<std::string, std::string>, std::vector<Cell>> groups;
-  for (const Cell& c : cells) groups[{c.reading(), c.variant}].push_back(c);
+  const bool every_variant = shows_variants(view_of(cells));
+  for (const Cell& c : cells) groups[{c.reading(), every_variant ? "" : c.variant}].push_back(c);
   std::vector<Section> sections;
   sections.reserve(groups.size());
   for (const auto& [key, group] : groups) sections.push_back(paper_section(group, stem, sources));

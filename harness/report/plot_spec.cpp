@@ -143,6 +143,7 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
                                std::vector<std::string>& notes) {
   PlotSpec first;
   place(first, table, cells, view, notes);
+  first.bars = view.marks == "bars";
   first.note = cells.empty() ? "" : cells.front().device;
   for (const Column& column : table.columns) {
     if (!column.order.empty()) first.order[column.name] = column.order;
@@ -182,6 +183,7 @@ std::string json_of(const PlotSpec& plot) {
                               {"order", plot.order},     {"labels", plot.labels}};
   if (!plot.published.empty())
     json["published"] = {{"column", plot.published}, {"label", plot.published_label}};
+  if (plot.bars) json["bars"] = true;
   if (plot.guide) json["guide"] = *plot.guide;
   return json.dump(2) + "\n";
 }

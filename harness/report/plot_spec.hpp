@@ -25,6 +25,7 @@ struct PlotSpec {
   /// Column with numbers that a paper published, drawn as a dashed line. The columns NAME_low and NAME_high
   /// contain their limits. A number with a lower limit but no upper limit is drawn as a lower limit of y.
   std::string published, published_label;
+  bool bars = false;                                      ///< bars instead of points, if x has categories
   std::optional<double> guide;                            ///< y of a horizontal reference line
   std::map<std::string, std::vector<std::string>> order;  ///< column -> its values in order
   std::map<std::string, std::string> labels;              ///< column -> format of its values: "{} layers"

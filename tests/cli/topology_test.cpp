@@ -41,6 +41,23 @@ TEST_F(TopologyCommand, CountsThePapersModels) {
   expect_lacks(pelage("topology banisch-elephant --faces 1146").out, "1247");
 }
 
+// docs/springs.md shows what `pelage topology MODEL --markdown` prints for the paper's three models.
+TEST_F(TopologyCommand, PrintsTheTableOfTheDocument) {
+  std::string table;
+  for (const char* model : {"banisch-elephant", "banisch-dog", "banisch-grass"}) {
+    const std::string printed = done(std::string("topology --markdown ") + model).out;
+    const std::size_t rows = printed.find('\n', printed.find('\n') + 1) + 1;  // after the head and its line
+    table += table.empty() ? printed : printed.substr(rows);
+  }
+  const std::string document = test::text_of(fs::path(PELAGE_SOURCE_DIR) / "docs/springs.md");
+  const std::string begin = "<!-- counts begin: pelage topology MODEL --markdown prints them -->\n";
+  const std::size_t from = document.find(begin) + begin.size(), to = document.find("<!-- counts end -->");
+  ASSERT_LT(from, to);
+  EXPECT_EQ(document.substr(from, to - from), table);
+  // With another number of faces, the model is not the paper's.
+  expect_lacks(done("topology banisch-elephant --faces 1146 --markdown").out, "the paper");
+}
+
 // The drawing has one panel for each of the four topologies. The test counts the SVG elements. Each panel
 // must contain every triangle of the mesh once, and every mass and spring of its topology once.
 TEST_F(TopologyCommand, DrawsWhatItCounts) {

@@ -18,7 +18,7 @@ View view_of(const std::string& report) {
 TEST(View, ReadsTheTable) {
   const View view = view_of(
       "[report]\nx = \"layers\"\ny = [\"median_ms\", \"error_rms\"]\nseries = \"model\"\npanels = [\"size\"]\n"
-      "scale = [\"linear\", \"log\"]\nblocks = \"reading\"\ncolumns = \"size\"\nvalues = \"fps\"\nprogram = \"scaling\"\n");
+      "scale = [\"linear\", \"log\"]\nblocks = \"reading\"\ncolumns = \"size\"\nvalues = \"fps\"\nmarks = \"bars\"\nprogram = \"scaling\"\n");
   EXPECT_EQ(view, (View{.blocks = {"reading"},
                         .columns = {"size"},
                         .values = {"fps"},
@@ -28,6 +28,7 @@ TEST(View, ReadsTheTable) {
                         .panels = {"size"},
                         .x_scale = "linear",
                         .y_scale = "log",
+                        .marks = "bars",
                         .program = "scaling"}));
   EXPECT_EQ(view_of(""), View{});
   EXPECT_EQ(view_of("[report]\nscale = \"log\"\n").x_scale, "log");
@@ -35,7 +36,7 @@ TEST(View, ReadsTheTable) {
 }
 
 TEST(View, RowsStoreIt) {
-  const View view{.blocks = {"reading"}, .x = "layers", .y = {"fps"}, .y_scale = "log"};
+  const View view{.blocks = {"reading"}, .x = "layers", .y = {"fps"}, .y_scale = "log", .marks = "bars"};
   EXPECT_EQ(view_from_json(to_json(view)), view);
   EXPECT_TRUE(to_json(View{}).empty());
   // A user may have edited the rows. view_from_json() must ignore values of a wrong type.
@@ -47,11 +48,12 @@ TEST(View, RowsStoreIt) {
 TEST(View, BadTablesAreRefusedWithTheirLine) {
   test::expect_refusals(
       {{"[report]\nz = \"layers\"\n",
-        "e.toml:7: report: the key z is unknown or has no meaning here (known here: blocks, columns, panels, program"},
+        "e.toml:7: report: the key z is unknown or has no meaning here (known here: blocks, columns, marks, panels"},
        {"[report]\nx = 3\n", "e.toml:7: report: x must be a string"},
        {"[report]\ny = []\n", "e.toml:7: report: y must be a string or a list of strings"},
        {"[report]\nseries = [1]\n", "e.toml:7: report: series must be a string or a list of strings"},
        {"[report]\nscale = [\"log\", \"log\", \"log\"]\n", "e.toml:7: report: scale must be"},
+       {"[report]\nmarks = \"pies\"\n", "e.toml:7: report: marks must be \"bars\""},
        {"[report]\nscale = \"cubic\"\n", "e.toml:7: report: scale must be \"linear\" or \"log\""}},
       view_of);
 }

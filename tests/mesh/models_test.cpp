@@ -124,7 +124,7 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
   for (const char* counts : {"[4, -2]", "[4, 100000001]", "[4, 2, 1]", "[4, 'two']", "4"})
     EXPECT_EQ(
         message(head + "published.sticks = " + counts + "\n"),
-        "models.toml:6: published must be a table with entries TOPOLOGY = [number of masses, number of springs]");
+        "models.toml:6: published must be a table with entries TOPOLOGY = [number of masses, number of springs] or mesh = [number of vertices, number of faces]");
   EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source = \"...\" is missing");
   EXPECT_EQ(message("x = 1\n"), "models.toml: the file has no [[model]]");
   std::string dotted = "a";

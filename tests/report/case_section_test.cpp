@@ -57,6 +57,33 @@ TEST(CaseSection, CasesWithoutPublishedNumbersOfTable1ShowFramesPerSecond) {
   test::expect_has(text_of(table), {"Frames per second: 1000 divided by", "50.0* [50.0, 50.0]"});
 }
 
+// Figures 9 to 11 of Banisch and Wuethrich 2006: the variants (solvers) are bars of one plot per reading,
+// beside the numbers that the text prints.
+TEST(PaperSection, ShowsVariantsSideBySideIfTheViewNamesThem) {
+  std::vector<FoundRow> rows = test::bare_rows("banisch2006-update-time", "quick");
+  for (FoundRow& found : rows) {
+    Row& row = found.row;
+    row.samples["frame"].wall_ms.assign(11, 10.0);
+    if (row.axes.at("model") == "banisch-elephant" && row.variant != "drawing")
+      row.metrics["paper_fps"] = {24.5, "fps", "range", 22.0, 27.0};
+  }
+  const std::vector<Section> all = test::sections(rows);
+  ASSERT_EQ(all.size(), 2u);
+  for (const Section& section : all) {
+    EXPECT_EQ(section.table.lines.size(), 60u);
+    EXPECT_EQ(pivot_of(section.table).groups.size(), 5u);
+    ASSERT_FALSE(section.plots.empty());
+    const PlotSpec& plot = section.plots.front();
+    EXPECT_TRUE(plot.bars);
+    EXPECT_EQ(plot.x, "dynamics.topology");
+    EXPECT_EQ(plot.series, std::vector<std::string>{"variant"});
+    EXPECT_EQ(plot.panels, std::vector<std::string>{"model"});
+    EXPECT_EQ(plot.published, "paper_ms");
+  }
+  EXPECT_EQ(all[0].table.stem, "banisch2006-update-time");
+  EXPECT_EQ(all[1].table.stem, "banisch2006-update-time-pelage");
+}
+
 TEST(CaseSection, NamesCasesWhoseTimesDrift) {
   auto rows = test::table1_rows();
   rows.resize(1);

@@ -58,7 +58,7 @@ std::map<std::string, std::string> files_of(const std::vector<FoundRow>& rows) {
 TEST(RecordedRows, StillGiveTheRecordedTables) {
   const std::vector<Recorded> all = {
       {"table1", {"silva2010-table1"}, 4},
-      {"topology", {"banisch2006-", "topology-"}, 41},
+      {"topology", {"banisch2006-", "topology-"}, 39},
       {"rivals", {"rival"}, 12},
       {"rivals-avx2", {"avx2"}, 5},
       {"effects", {"overheads", "readings"}, 5, {"provenance.txt"}},

@@ -146,6 +146,27 @@ TEST(Plot, ALogarithmicAxisHasTwoLabels) {
   EXPECT_GE(tick_labels("log").size(), 2U) << testing::PrintToString(tick_labels("log"));
 }
 
+// The length of a bar is its number only on an axis that begins at 0.
+TEST(Plot, HasBarsOnALinearAxis) {
+  const Folder folder;
+  folder.write("t.csv",
+               "model,solver,median_ms,paper_ms,paper_ms_low,paper_ms_high\na,x,48,,,\nb,x,52,50,45,55\n");
+  const auto drawn = [&](bool bars, const std::string& scale) {
+    PlotSpec plot;
+    plot.x = "model", plot.y = "median_ms", plot.y_scale = scale, plot.x_scale = "linear";
+    plot.published = "paper_ms", plot.published_label = "paper";
+    plot.bars = bars;
+    folder.write("t.json", json_of(plot));
+    EXPECT_EQ(draw_plot(plot_program("plot"), folder.path / "t.csv", folder.path / "t"), "");
+    const std::string svg = folder.read("t.svg");
+    EXPECT_EQ(test::count_of(svg, ">paper</text>"), 1u);
+    return test::count_of(svg, "<path") + test::count_of(svg, "fill: #0072b2");
+  };
+  const std::size_t points = drawn(false, "linear");
+  EXPECT_NE(drawn(true, "linear"), points);
+  EXPECT_EQ(drawn(true, "log"), drawn(false, "log"));
+}
+
 TEST(Report, APlaceThatCannotBeWritten) {
   const Folder folder;
   folder.write("file", "x");

@@ -81,7 +81,7 @@ def draw_published(axis, rows, x_of, d, look):
     if known:
         y = [number(r[column]) for r in known]
         handle = axis.errorbar([x_of(r) for r in known], y, yerr=bars(known, y, column + "_low", column + "_high"),
-                               markerfacecolor="white", linewidth=0.9, linestyle="--", **look)
+                               **{"markerfacecolor": "white", "linewidth": 0.9, "linestyle": "--"} | look)
         style.tell(handle[0], [point_text(r, d["published"]["label"], d["x"], column, column + "_low", column + "_high", d)
                                for r in known])
     for r in have:
@@ -90,7 +90,7 @@ def draw_published(axis, rows, x_of, d, look):
             axis.annotate("", (x, y * 2), (x, y),
                           arrowprops={"arrowstyle": "->", "color": look["color"], "linestyle": "--"})
             [mark] = axis.plot(x, y, linestyle="none", markerfacecolor="white",
-                               **{k: v for k, v in look.items() if k != "capsize"})
+                               **{k: v for k, v in look.items() if k not in ("capsize", "linestyle")})
             label = f"{d['published']['label']}, at least"
             style.tell(mark, [point_text(r, label, d["x"], column, column + "_low", column + "_high", d)])
             axis.plot(x, y * 2.2, alpha=0)  # invisible; extends the axis, so that the arrow fits
@@ -114,6 +114,10 @@ def draw_panel(axis, rows, series, categories, keys, d):
     for i, values in enumerate(series):
         colour, marker = style.COLOURS[i % len(style.COLOURS)], style.MARKERS[i % len(style.MARKERS)]
         look = {"color": colour, "marker": marker, "markersize": 4.5, "capsize": 2}
+        # The length of a bar is its number only on a linear axis. A bar has the series' colour; its top carries the interval.
+        as_bars = d.get("bars", False) and bool(categories) and d["y_scale"] == "linear"
+        if as_bars:
+            look |= {"color": "black", "marker": "_"}
         mine = [r for r in rows if tuple(r[c] for c in d["series"]) == values]
         if categories:
             shift = 0.7 / max(1, len(series)) * (i - (len(series) - 1) / 2)
@@ -133,14 +137,17 @@ def draw_panel(axis, rows, series, categories, keys, d):
         if have:
             # If several points have the same x (models with equal numbers of triangles), no line joins the points.
             joined = not categories and len({x_of(r) for r in have}) == len(have)
-            handles[ours] = axis.errorbar([x_of(r) for r in have], y, yerr=bars(have, y, d["low"], d["high"]),
-                                           linewidth=1.3, elinewidth=1, linestyle="-" if joined else "none", **look)
-            style.tell(handles[ours][0], [point_text(r, ours, d["x"], d["y"], d["low"], d["high"], d) for r in have])
+            if as_bars:
+                handles[ours] = axis.bar([x_of(r) for r in have], y, 0.7 / len(series), color=colour)
+            drawn = axis.errorbar([x_of(r) for r in have], y, yerr=bars(have, y, d["low"], d["high"]),
+                                  linewidth=1.3, elinewidth=1, linestyle="-" if joined else "none", **look)
+            handles.setdefault(ours, drawn)
+            style.tell(drawn[0], [point_text(r, ours, d["x"], d["y"], d["low"], d["high"], d) for r in have])
         if "published" in d:
-            handle = draw_published(axis, mine, x_of, d, look)
+            handle = draw_published(axis, mine, x_of, d, look | {"marker": "D", "linestyle": "none"} if as_bars else look)
             if handle:
                 name = d["published"]["label"]
-                handles[f"{name}, {label}" if label else name] = handle
+                handles[f"{name}, {label}" if label and not as_bars else name] = handle
     return handles
 
 
@@ -148,8 +155,9 @@ def decorate(axis, title, categories, values, d):
     """Sets the scales, ticks and title of a panel. If x is numeric, `values` contains its values."""
     axis.set_yscale(d["y_scale"])
     if categories:
-        axis.set_xticks(range(len(categories)), categories, rotation=30 if len(categories) > 4 else 0,
-                        ha="right" if len(categories) > 4 else "center")
+        turned = len(categories) > 4 or sum(map(len, categories)) > 36
+        axis.set_xticks(range(len(categories)), categories, rotation=30 if turned else 0,
+                        ha="right" if turned else "center", rotation_mode="anchor" if turned else None)
         axis.set_xlim(-0.6, len(categories) - 0.4)
     else:
         axis.set_xscale(d["x_scale"])
