@@ -221,7 +221,8 @@ std::string scene_hash(const Scene& scene) {
   // because a default value is not hashed.
   const auto is_hashed = [](const Key& key) {
     return key.name != "pipeline" && (key.name != "fur.layer_correction" || value_text(key) != "\"texel\"") &&
-           (key.name != "dynamics.springs.vertices" || value_text(key) != "\"points\"");
+           (key.name != "dynamics.springs.vertices" || value_text(key) != "\"points\"") &&
+           (key.name != "shading.self_shadow" || value_text(key) != "\"darkening\"");
   };
   const auto add = [&](const std::vector<Key>& keys, std::string_view prefix) {
     for (const Key& key : keys)
