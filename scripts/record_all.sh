@@ -119,6 +119,7 @@ under=scripts/without_avx512.sh record avx2 rivals rivals-strongest
 record rivals-tori rivals-tori --repeat 3
 record rival-options rival-options
 record overheads overheads --repeat 3
+record self-shadow silva2010-self-shadow --repeat 3
 record readings readings --preset paper
 record depth readings --filter depth
 part profile "$PELAGE" profile -o "$runs/profile"
@@ -130,7 +131,7 @@ find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
 publish results/tables/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
 publish results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
 rows=results/avx2 publish results/tables/rivals-avx2 "$runs/avx2"
-publish results/tables/effects "$runs"/{overheads,readings,depth}
+publish results/tables/effects "$runs"/{overheads,self-shadow,readings,depth}
 publish results/tables/strands "$runs"/{strands,ways}
 strands_sheet
 publish results/tables/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}

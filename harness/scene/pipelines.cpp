@@ -47,6 +47,7 @@ bool strands_ignore(std::string_view key, const Scene& scene) {
                                                 "dynamics.drag",
                                                 "dynamics.wind.gust_at",
                                                 "shading.model",
+                                                "shading.self_shadow",
                                                 "shading.shadow",
                                                 "shading.wrap",
                                                 "shading.occlusion",

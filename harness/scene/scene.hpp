@@ -110,6 +110,7 @@ struct WetnessScene {
 inline constexpr std::array clump_scales{"literal", "distance", "converge"};
 inline constexpr std::array clump_functions{"logarithmic", "rate"};
 inline constexpr std::array clump_cells{"separate", "literal", "consistent"};
+inline constexpr std::array self_shadows{"darkening", "off", "traced"};
 inline constexpr std::array tangent_readings{"paper", "drawn", "strand", "printed"};
 
 struct ClumpScene {
@@ -297,10 +298,11 @@ struct LightScene {
 };
 
 struct ShadingScene {
-  std::string model = "curling";  ///< name of a shading model, see shading_models.cpp
-  float shadow = 1.12f;           ///< K_shadow >= 1; a larger value gives a weaker self-shadow
-  glm::vec3 specular{0.2f};       ///< K_s, the colour of the highlight
-  float exponent = 24.0f;         ///< p, the exponent of the highlight
+  std::string model = "curling";          ///< name of a shading model, see shading_models.cpp
+  std::string self_shadow = "darkening";  ///< one of self_shadows
+  float shadow = 1.12f;                   ///< K_shadow >= 1; a larger value gives a weaker self-shadow
+  glm::vec3 specular{0.2f};               ///< K_s, the colour of the highlight
+  float exponent = 24.0f;                 ///< p, the exponent of the highlight
   float ambient = 0.2f;
   float wrap = 0.75f;              ///< weight of the wrapped light (n.l + 0.4) / 1.4; 0: light as in S and W
   float occlusion = 0.85f;         ///< sigma_occ of W Eq. 5, the strength of the self-shadow

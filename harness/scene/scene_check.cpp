@@ -182,6 +182,8 @@ void check_topology(const Scene& scene, const std::string& source) {
       refuse("dynamics.springs.return_weight", fmt::format("must be above 0 for the solver {}", d.solver));
     if (d.bend == "trigonometric" && (scene.shading.model != "lambert" || scene.fur.substeps != 1))
       refuse("dynamics.bend", "\"trigonometric\" needs shading.model = \"lambert\" and fur.substeps = 1");
+    if (d.bend == "trigonometric" && scene.shading.self_shadow == "traced")
+      refuse("dynamics.bend", "\"trigonometric\" needs shading.self_shadow \"darkening\" or \"off\"");
     return;
   }
   if (has_chains(d)) {

@@ -271,6 +271,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.poke.along", &poke.along, "direction", -1e6, 1e6, "direction of an axis through the centre of the local force; the force dynamics.poke.spread points away from this axis"},
 
       {.name = "shading.model", .slot = &shading.model, .unit = "", .help = shading_help(), .choices = names_of(shading_models())},
+      {.name = "shading.self_shadow", .slot = &shading.self_shadow, .unit = "", .help = "shadow of the fur on itself: \"darkening\" is the papers' factor, which darkens the fur towards the skin (shading.shadow, shading.occlusion); \"off\" is no shadow; \"traced\" samples the layers between a fragment and the first light", .choices = {self_shadows.begin(), self_shadows.end()}},
       {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, which determines the self-shadow of the curling model; the colour at the base surface is multiplied by (K_shadow - 1) / K_shadow, so a larger value gives a weaker shadow"},
       {"shading.specular", &shading.specular, "", 0, 100, "K_s, the colour of the highlight"},
       {"shading.exponent", &shading.exponent, "", 0, 10000, "p, the exponent of the highlight"},

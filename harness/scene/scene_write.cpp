@@ -227,6 +227,7 @@ std::string scene_hash(const Scene& scene) {
       {"fur.layer_correction", "\"texel\""},
       {"dynamics.springs.vertices", "\"points\""},
       {"clump.function", "\"logarithmic\""},
+      {"shading.self_shadow", "\"darkening\""},
   };
   const auto is_hashed = [](const Key& key) {
     return key.name != "pipeline" && std::ranges::none_of(later_keys, [&](const auto& later) {

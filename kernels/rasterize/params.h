@@ -69,6 +69,7 @@ typedef struct {
   // surface_light is 0 for the model "curling" and 1 for the models "wet" and "lambert". For "lambert" the host sets
   // specular, wrap and darkening to 0.
   int surface_light;                          // 1: diffuse light and self-shadow by W Eq. 2-5; 0: by S Eq. 6
+  int self_shadow;                            // SHADOW_DARKENING, ...: the scene key shading.self_shadow
   int two_sided;                              // 1: normals that face away from the eye are reversed for lighting
   float shadow;                               // K_shadow
   float specular[3];                          // K_s
@@ -105,6 +106,9 @@ enum { CLUMP_LITERAL, CLUMP_DISTANCE, CLUMP_CONVERGE };
 enum { CELLS_SEPARATE, CELLS_LITERAL, CELLS_CONSISTENT };
 // Readings of W Eq. 4, in the order of the values of the scene key shading.tangent.
 enum { TANGENT_PAPER, TANGENT_DRAWN, TANGENT_STRAND, TANGENT_PRINTED };
+// How the fur shadows itself, in the order of the values of the scene key shading.self_shadow.
+enum { SHADOW_DARKENING, SHADOW_OFF, SHADOW_TRACED };
+#define TRACED_LAYERS 16        // SHADOW_TRACED: most layers whose fur is sampled between a fragment and the light
 // Greatest rho f(h) with CLUMP_CONVERGE. Strands with rho f(h) = 1 would meet in one point.
 #define CLOSEST 0.98f
 

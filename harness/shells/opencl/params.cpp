@@ -151,6 +151,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.coat_size = input.coat.size;
   const ShadingModel& model = shading_model(scene.shading.model);
   p.surface_light = model.surface_light;
+  p.self_shadow = place_of(scene.shading.self_shadow, self_shadows);
   p.two_sided = scene.shading.sides == "two";
   p.shadow = scene.shading.shadow;
   copy(p.specular, scene.shading.specular);

@@ -28,6 +28,11 @@ std::vector<float> layer_table(const Scene& scene);
 /// pass, and the number of chunks into which it divides the triangles.
 RasterParams raster_params(const FrameInput& input, const Geometry& geometry);
 
+/// Whether fragments read the axes of the curl: in sub-steps, and for traced shadows.
+inline bool shades_curls(const RasterParams& params) {
+  return params.substeps > 1 || params.self_shadow == SHADOW_TRACED;
+}
+
 /// Packs the fur texture into one 32-bit word per texel. The bytes of a word, lowest first, are coverage and
 /// shade of texel (x, y), then coverage and shade of texel (x, y + 1). Each row ends with a copy of its first
 /// word. The mip levels are stored one after the other, level 0 first.

@@ -17,6 +17,7 @@ std::string style_options(const Scene& scene) {
     options += " -D DENSITY=1";
   if (coverage_power(scene.fur) != 1) options += " -D COVERAGE_POWER=1";
   if (has_contact(scene.contact)) options += " -D CONTACT=1";
+  if (scene.shading.self_shadow == "traced") options += " -D TRACED=1";
   if (by_depth(scene.blend)) options += " -D DEPTH_ORDER=1";
   return options;
 }

@@ -106,8 +106,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   b.dry = wet ? cl::Buffer<float>(device, vertices) : cl::uploaded(queue, dry_vertices(g));
   b.record = cl::Buffer<float>(device, RECORD * vertices);
   b.tangent = cl::uploaded(queue, g.tangent);
-  // The kernels read b.curl only if fragments have several sub-steps (fur.substeps > 1).
-  b.curl = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
+  b.curl = cl::Buffer<float>(device, shades_curls(params_) ? RECORD * vertices : 1);
   b.fur = cl::uploaded(queue, packed.get());
   b.coat = cl::uploaded(queue, packed_coat(input.coat));
   b.mask = &wet_stage.mask();
@@ -135,7 +134,7 @@ MappingSetup RasterStage::setup(const cl::Device& device, std::string options) c
 
 void RasterStage::use_mask(const cl::Queue& queue, cl::PhaseEvents* events) {
   if (reach_) reach_->dry(queue, params_, mask_uv_, buffers_, events);
-  if (params_.substeps > 1) {
+  if (shades_curls(params_)) {
     curls_.with(params_, buffers_.vertex, buffers_.dry, buffers_.layer_table, buffers_.curl);
     cl::keep(events, "wet", curls_.enqueue_loop(queue, std::size_t(params_.vertices)));
   }

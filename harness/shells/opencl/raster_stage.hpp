@@ -71,9 +71,9 @@ class RasterStage {
   const cl::Buffer<float>& strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands, int stride,
                                        cl::PhaseEvents* events);
   /// Runs the kernels whose results depend on the wetness mask. With droplets, they compute the dryness of
-  /// each vertex and, if fur.substeps > 1, the curl frame of each vertex, and the number of layers in which
-  /// each triangle is drawn. The constructor calls this function. Call it again when the mask has changed.
-  /// The phase of the kernels is "wet".
+  /// each vertex and, if fur.substeps > 1 or shadows are traced, the curl frame of each vertex, and the
+  /// number of layers in which each triangle is drawn. The constructor calls this function. Call it again
+  /// when the mask has changed. The phase of the kernels is "wet".
   void use_mask(const cl::Queue& queue, cl::PhaseEvents* events);
   /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
   /// until the next call of frame(), because count() and tally() read it again.

@@ -97,7 +97,8 @@ class Shells {
     /// From the upload of the droplets until the device has computed all that depends on them.
     double all = 0;
     /// The part of `all` for what depends on the mask: the dryness of each vertex, the curl frame of each
-    /// vertex (only if fur.substeps > 1), and the number of layers in which each triangle is drawn.
+    /// vertex (only if fur.substeps > 1 or shadows are traced), and the number of layers in which each
+    /// triangle is drawn.
     double after_mask = 0;
   };
   /// Computes the mask of the last picture once more, and measures it. The kernels have been compiled before.

@@ -50,6 +50,9 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
   if (!shading_model(input.scene.shading.model).in_opengl)
     throw InputError(fmt::format("shading.model = {}: --pipeline opengl supports only curling and wet",
                                  input.scene.shading.model));
+  if (input.scene.shading.self_shadow != "darkening")
+    throw InputError(fmt::format("shading.self_shadow = {}: --pipeline opengl supports only darkening",
+                                 input.scene.shading.self_shadow));
   if (input.scene.fur.substeps > 1)
     throw InputError(
         fmt::format("fur.substeps = {}: --pipeline opengl draws without sub-steps; set fur.substeps to 1",

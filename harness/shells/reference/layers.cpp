@@ -150,17 +150,21 @@ glm::dvec3 Geometry::position(std::size_t slot, int n) const {
   return surface + (colliders_.none() ? along : colliders_.kept(surface, along));
 }
 
-glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
-  return bent(input, bend, n, mutant) - bent(input, bend, n - 1, mutant);
+glm::dvec3 rise(const FrameInput& input, const Bend& bend, int from, int to, Mutant mutant) {
+  return bent(input, bend, to, mutant) - bent(input, bend, from, mutant);
 }
 
-glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int n) {
+glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
+  return rise(input, bend, n - 1, n, mutant);
+}
+
+glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int from, int to) {
   const double turns = std::round(share * turn_steps) / turn_steps * double(scene.curl.turns);
   const auto at = [&](int layer) {
     const double h = layer < 0 ? 0.0 : layer_height(layer, scene.fur.layers);
     return curl(h, 0.0, 1.0, turns, axes.u, axes.v);
   };
-  return at(n) - at(n - 1);
+  return at(to) - at(from);
 }
 
 }  // namespace pelage::reference

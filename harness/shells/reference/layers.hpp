@@ -87,12 +87,16 @@ class Geometry {
   std::vector<double> rho_;  ///< for each slot, the wetness of the mask at its surface point
 };
 
+/// Returns the vector from the strand's point on layer `from` to its point on layer `to`, both without the
+/// curl. -1 is the base surface.
+glm::dvec3 rise(const FrameInput& input, const Bend& bend, int from, int to, Mutant mutant = Mutant::none);
+
 /// Returns the vector from the strand's point on layer n - 1 to its point on layer n, both without the curl.
 /// Shading uses the direction of this vector as the strand's tangent at layer n.
 glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant = Mutant::none);
 
-/// Returns dphi(n), the displacement by the curl on layer n minus that on layer n - 1, with curl.turns_map.
+/// Returns the displacement by the curl on layer `to` minus that on layer `from`, with curl.turns_map.
 /// `share` is the factor of curl.turns before it is rounded to a multiple of 1 / turn_steps.
-glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int n);
+glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int from, int to);
 
 }  // namespace pelage::reference

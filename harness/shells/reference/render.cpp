@@ -4,56 +4,22 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
 #include <optional>
 
 #include "harness/parallel.hpp"
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/layers.hpp"
+#include "harness/shells/reference/light.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "harness/shells/reference/shading.hpp"
 #include "harness/shells/reference/textures.hpp"
+#include "harness/shells/reference/tile.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {
 namespace {
-
-/// A fragment with fur: its 1/w, colour and coverage.
-struct FurFragment {
-  double inverse_w;
-  glm::dvec3 colour;
-  double coverage;
-};
-
-/// A rectangle of the picture, and the values of its pixels while it is drawn.
-struct Tile {
-  Window window;
-  std::vector<std::uint32_t> faces;  ///< faces that may be visible in the window, in the mesh's order
-  std::vector<double> base;          ///< 1/w of the base surface; 0 in pixels that it does not cover
-  std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha of each pixel
-  /// The fragments of each pixel that are not blended yet, in the order of drawing; only with blend.order
-  /// "depth".
-  std::vector<std::vector<FurFragment>> waiting;
-  std::size_t at(int x, int y) const {
-    return std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);
-  }
-};
-
-void blend_over(const FurFragment& over, glm::dvec4& colour) {
-  colour = over.coverage * glm::dvec4(over.colour, 1.0) + (1.0 - over.coverage) * colour;
-}
-
-/// Blends the waiting fragments of each pixel, the farthest first. Fragments of equal 1/w keep the order of
-/// drawing.
-void blend_by_depth(Tile& tile) {
-  for (std::size_t i = 0; i < tile.waiting.size(); ++i) {
-    std::stable_sort(tile.waiting[i].begin(), tile.waiting[i].end(),
-                     [](const FurFragment& a, const FurFragment& b) { return a.inverse_w < b.inverse_w; });
-    for (const FurFragment& fragment : tile.waiting[i]) blend_over(fragment, tile.colour[i]);
-  }
-}
 
 /// A pixel that a triangle covers: the pixel's coordinates, the triangle's 1/w there, and the
 /// perspective-correct weight of each of the triangle's corners.
@@ -182,9 +148,9 @@ class Painter {
                         [&](std::size_t s) { return glm::dvec3(input_.tangents.b[geometry_.vertex(s)]); });
   }
 
-  /// Returns dphi(n), the change of the curl offset from layer n - 1 to layer n. With curl.turns_map, the
+  /// Returns the displacement by the curl on layer `to` minus that on layer `from`. With curl.turns_map, the
   /// axes and the factor of the turns are interpolated, and the factor is rounded like that of a vertex.
-  glm::dvec3 curl_step(std::uint32_t face, const Sample& sample) const {
+  glm::dvec3 curl_step(std::uint32_t face, const Sample& sample, int from, int to) const {
     if (!input_.style.curl_turns.empty()) {
       const double share =
           interpolated(face, sample, [&](std::size_t s) { return geometry_.turns_share(s); });
@@ -192,10 +158,10 @@ class Painter {
           interpolated(face, sample, [&](std::size_t s) { return geometry_.curl_axes(s).u; });
       const glm::dvec3 v =
           interpolated(face, sample, [&](std::size_t s) { return geometry_.curl_axes(s).v; });
-      return curl_change(input_.scene, share, {u, v}, layer_);
+      return curl_change(input_.scene, share, {u, v}, from, to);
     }
     return interpolated(face, sample, [&](std::size_t s) {
-      return geometry_.curl_offset(s, layer_) - geometry_.curl_offset(s, layer_ - 1);
+      return geometry_.curl_offset(s, to) - geometry_.curl_offset(s, from);
     });
   }
 
@@ -222,6 +188,21 @@ class Painter {
     return combined(samples);
   }
 
+  /// Returns the part of the first light that reaches a fragment whose strand has the root `root`. pull(m)
+  /// is that of LightRay.
+  template <class Pull>
+  double through(std::uint32_t face, const Sample& sample, const glm::dvec2& root, double level,
+                 const Pull& pull) const {
+    const Bend strand = bend(face, sample);
+    return light_through(input_,
+                         {layer_, root, unit(strand.a), tangent(face, sample), bitangent(face, sample), level,
+                          [&](int m) {
+                            return rise(input_, strand, layer_, m, options_.mutant) +
+                                   curl_step(face, sample, layer_, m);
+                          },
+                          pull});
+  }
+
   /// Returns E, the unit direction from the eye through the pixel's centre.
   glm::dvec3 view(const Sample& sample) const {
     const Camera& camera = input_.camera;
@@ -240,12 +221,16 @@ class Painter {
     const glm::dvec3 outwards = unit(bend(face, sample).a), normal = lit_normal(shading, outwards, eye);
     // No fur shadows the back of the surface. The back therefore has the shadow factor of the fur's tips, at
     // the height h = 1.
-    const Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
-                            normal,
-                            normal,
-                            eye,
-                            shows_back(shading, outwards, eye) ? 1.0 : 0.0,
-                            mask_.wetness_at(where, input_.scene.clump.cells)};
+    const bool back = shows_back(shading, outwards, eye);
+    Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
+                      normal,
+                      normal,
+                      eye,
+                      back ? 1.0 : 0.0,
+                      mask_.wetness_at(where, input_.scene.clump.cells)};
+    if (!back)
+      fragment.through = through(face, sample, where, level_of_detail(sample, outwards, eye),
+                                 [](int) { return glm::dvec2(0.0); });
     tile.colour[at] = glm::dvec4(skin_colour(input_.scene.shading, fragment), 1.0);
   }
 
@@ -259,8 +244,9 @@ class Painter {
     const Bend strand = bend(face, sample);
     const glm::dvec3 normal = unit(strand.a), eye = view(sample);
     const glm::dvec3 step = chord(input_, strand, layer_, options_.mutant);
-    FurSample fur = look(where, clump, level_of_detail(sample, normal, eye) + std::log2(clump.stretch), [&] {
-      const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
+    const double level = level_of_detail(sample, normal, eye) + std::log2(clump.stretch);
+    FurSample fur = look(where, clump, level, [&] {
+      const glm::dvec3 delta = root_shift(step + curl_step(face, sample, layer_ - 1, layer_), normal, eye);
       return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
     });
     fur.coverage *= shown(clump, sample, normal, eye) * double(scene.fur.density) *
@@ -279,7 +265,10 @@ class Painter {
                             clump.wetness,
                             film,
                             clump.film_wetness,
-                            double(scene.soaked.gloss)};
+                            double(scene.soaked.gloss),
+                            through(face, sample, where + clump.d, level, [&](int m) {
+                              return clump_displacement(input_, mask_, where, m, options_.mutant).d - clump.d;
+                            })};
     const FurFragment drawn{sample.inverse_w, fur_colour(scene.shading, fragment), fur.coverage};
     if (by_depth(scene.blend))
       tile.waiting[at].push_back(drawn);

@@ -16,11 +16,16 @@ double wrapped(const glm::dvec3& normal, const glm::dvec3& light) {
   return std::max(0.0, (glm::dot(normal, light) + 0.4) / 1.4);
 }
 
+/// Returns I_l, the intensity with which a light arrives at the fragment.
+double arriving(const ShadingScene& shading, const LightScene& light, const Fragment& f) {
+  return double(light.intensity) * (&light == &shading.lights.front() ? f.through : 1.0);
+}
+
 /// Returns g_l (docs/shells.md, section 6), the light's intensity times a factor that decreases with the
 /// angle between the normal and the light. The factor is 1 if shading.wrap is 0.
-double intensity(const ShadingScene& shading, const LightScene& light, const glm::dvec3& normal,
+double intensity(const ShadingScene& shading, const LightScene& light, const Fragment& f,
                  const glm::dvec3& towards) {
-  return double(light.intensity) * (1.0 + double(shading.wrap) * (wrapped(normal, towards) - 1.0));
+  return arriving(shading, light, f) * (1.0 + double(shading.wrap) * (wrapped(f.normal, towards) - 1.0));
 }
 
 /// Returns [(T.L)(T.E) + sin(T,L) sin(T,E)]^p with the base clamped at 0. This is Kajiya and Kay's highlight,
@@ -37,20 +42,22 @@ glm::dvec3 lambert(const ShadingScene& shading, const Fragment& f) {
   const double wrap = double(shading.wrap);
   for (const LightScene& light : shading.lights) {
     const glm::dvec3 towards = unit(glm::dvec3(light.direction));
-    sum += double(light.intensity) *
+    sum += arriving(shading, light, f) *
            ((1.0 - wrap) * std::max(0.0, glm::dot(towards, f.normal)) + wrap * wrapped(f.normal, towards));
   }
   return sum * f.colour;
 }
 
 double curling_shadow(const ShadingScene& shading, double h) {
+  if (shading.self_shadow != "darkening") return 1.0;
   return (double(shading.shadow) - 1.0 + h) / double(shading.shadow);
 }
 
 /// Returns the product of the self-shadow factor gamma_occ and the wet-darkening factor gamma_wet (Eq. 5 of
 /// W).
 double wet_shadow(const ShadingScene& shading, double h, double rho) {
-  return (1.0 + double(shading.occlusion) * (h - 1.0)) * (1.0 - double(shading.darkening) * rho);
+  const double occlusion = shading.self_shadow == "darkening" ? double(shading.occlusion) : 0.0;
+  return (1.0 + occlusion * (h - 1.0)) * (1.0 - double(shading.darkening) * rho);
 }
 
 }  // namespace
@@ -67,7 +74,7 @@ glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& f) {
   double diffuse = double(shading.ambient), specular = 0.0;
   for (const LightScene& light : shading.lights) {
     const glm::dvec3 towards = unit(glm::dvec3(light.direction));
-    const double g = intensity(shading, light, f.normal, towards);
+    const double g = intensity(shading, light, f, towards);
     diffuse += g * glm::length(glm::cross(f.tangent, towards));
     specular += g * highlight(f.tangent, towards, f.view, double(shading.exponent));
   }
@@ -82,7 +89,7 @@ glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& f) {
     const glm::dvec3 towards = unit(glm::dvec3(light.direction));
     const double film =
         f.gloss * std::pow(std::max(0.0, glm::dot(mirrored, towards)), double(shading.exponent));
-    specular += intensity(shading, light, f.normal, towards) *
+    specular += intensity(shading, light, f, towards) *
                 ((1.0 - f.film) * highlight(f.tangent, towards, f.view, exponent) + f.film * film);
   }
   const double wetness = (1.0 - f.film) * f.wetness + f.film * f.film_wetness;
@@ -93,8 +100,8 @@ glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& f) {
 glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& f) {
   double light = double(shading.ambient);
   for (const LightScene& lamp : shading.lights)
-    light += double(lamp.intensity) * std::max(0.0, glm::dot(f.normal, unit(glm::dvec3(lamp.direction))));
-  const double darkest = 1.0 - double(shading.occlusion);
+    light += arriving(shading, lamp, f) * std::max(0.0, glm::dot(f.normal, unit(glm::dvec3(lamp.direction))));
+  const double darkest = shading.self_shadow == "darkening" ? 1.0 - double(shading.occlusion) : 1.0;
   return (darkest + (1.0 - darkest) * f.height) * light * f.colour;
 }
 

@@ -17,7 +17,8 @@ struct Fragment {
   double wetness = 0;  ///< rho
   double film = 0;     ///< F, the part that shows the film of soaked fur
   double film_wetness = 0;
-  double gloss = 0;  ///< soaked.gloss
+  double gloss = 0;    ///< soaked.gloss
+  double through = 1;  ///< the part of the first light that reaches the fragment (light_through())
 };
 
 /// Returns true if the fragment shows the back of the surface and the back is lit like the front. This is the

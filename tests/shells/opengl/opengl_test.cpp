@@ -332,5 +332,15 @@ TEST(OpenGlWater, OfAStillSceneKeepsItsMask) {
   EXPECT_THROW(opengl.set_mask(mask_of(*still)), std::logic_error);
 }
 
+TEST(OpenGlShadow, IsTheDarkening) {
+  const auto input = std::make_shared<FrameInput>(*small_frame("curling"));
+  for (const char* shadow : {"off", "traced"}) {
+    input->scene.shading.self_shadow = shadow;
+    const std::string said = refusal([&] { OpenGl(input, mask_of(*input)); });
+    EXPECT_NE(said.find("shading.self_shadow"), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace pelage
