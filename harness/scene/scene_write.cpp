@@ -219,9 +219,17 @@ std::string scene_hash(const Scene& scene) {
   std::string all;
   // Rows that were recorded before these keys existed have the default values. Their hashes stay valid,
   // because a default value is not hashed.
+  static constexpr std::pair<std::string_view, std::string_view> later[] = {
+      {"fur.layer_correction", "\"texel\""},
+      {"dynamics.springs.vertices", "\"points\""},
+      {"contact.mesh_axis", "[0.0, 1.0, 0.0]"},
+      {"contact.mesh_spin", "0.0"},
+      {"contact.mesh_frames", "1"},
+      {"contact.mesh_after_frames", "\"hold\""}};
   const auto is_hashed = [](const Key& key) {
-    return key.name != "pipeline" && (key.name != "fur.layer_correction" || value_text(key) != "\"texel\"") &&
-           (key.name != "dynamics.springs.vertices" || value_text(key) != "\"points\"");
+    return key.name != "pipeline" && std::none_of(std::begin(later), std::end(later), [&](const auto& known) {
+             return key.name == known.first && value_text(key) == known.second;
+           });
   };
   const auto add = [&](const std::vector<Key>& keys, std::string_view prefix) {
     for (const Key& key : keys)
