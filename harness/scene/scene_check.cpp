@@ -167,8 +167,6 @@ void check_pushed(const Scene& scene, const std::string& source) {
   const auto refuse = [&](const std::string& what) {
     throw InputError(fmt::format("{}: contact: {}", source, what));
   };
-  if (has_chains(d))
-    refuse("colliders do not push single strands; give another dynamics.topology than \"chains\"");
   if (!has_springs(d)) return;
   const MotionScene& m = d.motion;
   if (m.velocity != glm::vec3(0) || m.shake != glm::vec3(0) || m.spin != 0 || m.swing != 0)

@@ -74,7 +74,6 @@ const std::vector<test::Bad> bad_scenes = {
     {"contact.mesh_spin = 1", "contact.mesh_spin: there is no mesh; give contact.mesh"},
     {"contact.mesh_frames = 2", "contact.mesh_frames: there is no mesh; give contact.mesh"},
     {"contact.mesh_cells = 3", "contact.mesh_cells: 3 is out of range; give 4 to 256"},
-    {"[[contact.sphere]]\n[dynamics]\ntopology = 'chains'", "contact: colliders do not push single strands"},
     {"[[contact.sphere]]\n[dynamics]\ntopology = 'prisms'\ntolerance = 0.01", "give dynamics.tolerance = 0"},
     {"[[contact.sphere]]\n[dynamics]\ntopology = 'sticks'\nmotion.spin = 1", "leave out dynamics.motion"},
     {"[[contact.sphere]]\n[dynamics]\ntopology = 'sticks'\nsolver = 'wind-vectors'",
