@@ -1,4 +1,4 @@
-// Colliders that push the layers (docs/shells.md, section 9). The host defines CONTACT with the number of spheres and capsules, and
+// Colliders that push the layers (docs/colliders.md). The host defines CONTACT with the number of spheres and capsules, and
 // CONTACT_MESH if there is a mesh among the colliders. harness/shells/opengl/contact.cpp sets the uniforms.
 #ifdef CONTACT
 uniform vec4 collider_from[CONTACT + 1];  // one end of a capsule's axis, and the radius; radius 0: no collider at this time
@@ -28,12 +28,14 @@ vec2 in_capsule(vec3 root, vec3 along, vec4 from, vec4 axis) {
 #ifdef CONTACT_MESH
 layout(binding = 5) uniform sampler3D field;  // distances at the nodes of a grid
 uniform vec4 mesh_place;                      // position of the mesh, and its scale; scale 0: no mesh at this time
+uniform vec4 mesh_axes[3];                    // axes of the mesh
 uniform vec4 mesh_grid;                       // position of the first node, and 1 / distance of adjacent nodes
 
 // The distance of the point p from the mesh, below 0 inside, by trilinear interpolation.
 float mesh_distance(vec3 p) {
   ivec3 nodes = textureSize(field, 0);
-  vec3 at = clamp(((p - mesh_place.xyz) / mesh_place.w - mesh_grid.xyz) * mesh_grid.w, vec3(0.0), vec3(nodes - 1));
+  p = (p - mesh_place.xyz) * mat3(mesh_axes[0].xyz, mesh_axes[1].xyz, mesh_axes[2].xyz) / mesh_place.w;
+  vec3 at = clamp((p - mesh_grid.xyz) * mesh_grid.w, vec3(0.0), vec3(nodes - 1));
   ivec3 low = min(ivec3(at), nodes - 2);
   vec3 t = at - vec3(low);
   float value[8];

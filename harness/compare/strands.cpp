@@ -6,6 +6,7 @@
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/tolerances.hpp"
+#include "harness/contact/reference/colliders.hpp"
 #include "harness/parallel.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/scene/keyframes.hpp"
@@ -66,19 +67,26 @@ naive::SkinPoint skin_point(const strands::SkinFrame& from, const strands::SkinF
           between(from.rest, to.rest), between(from.normal, to.normal)};
 }
 
+/// The colliders at the end of step number `number`.
+reference::Colliders colliders_after(const StrandInput& input, long number) {
+  return {input.scene, input.contact_fields, double(number + 1) * double(input.scene.dynamics.step)};
+}
+
 }  // namespace
 
 std::vector<Check> check_chain_step(const StrandInput& input, const ChainStep& step, std::uint32_t seed) {
   std::vector<double> direction, rate;
   const strands::ChainDynamics dynamics =
       strands::dynamics_of_frame(input, int(step.number / input.scene.dynamics.substeps));
+  const reference::Colliders colliders = colliders_after(input, step.number);
   for (const std::size_t i : sample(step.before.size(), chains_compared, seed)) {
     const Chain& chain = input.fur.chains[i];
     const ChainState& found = step.after[i];
     std::optional<naive::SkinPoint> skin;
     if (step.skin) skin = skin_point(step.skin->first, step.skin->second, i, 0.5);
-    const naive::State exact =
+    naive::State exact =
         naive::step(chain, dynamics, naive::in_double(step.before[i]), step.number, skin ? &*skin : nullptr);
+    if (!colliders.none()) exact = naive::pushed(chain, dynamics, exact, colliders);
     direction.push_back(std::max(glm::distance(glm::dvec3(found.direction[0]), exact.u),
                                  glm::distance(glm::dvec3(found.direction[1]), exact.w)));
     const double fall = glm::length(glm::dvec3(dynamics.gravity)) / double(chain.length);
@@ -160,8 +168,8 @@ std::pair<std::vector<KeyStrand>, std::shared_ptr<const strands::SkinSurface>> r
     }
     return keys;
   };
-  // If neither the skin nor a force changes, all steps of a chain are computed at once.
-  const bool by_frame = skin || forces_change(input.scene) || each;
+  // If neither the skin nor a force nor a collider changes, all steps of a chain are computed at once.
+  const bool by_frame = skin || forces_change(input.scene) || has_contact(input.scene.contact) || each;
   const int passes = by_frame ? frames : 1, steps = by_frame ? substeps : frames * substeps;
   for (int pass = 0; pass < passes; ++pass) {
     strands::SkinFrame from;
@@ -170,12 +178,17 @@ std::pair<std::vector<KeyStrand>, std::shared_ptr<const strands::SkinSurface>> r
       skin->advance();
     }
     const strands::ChainDynamics dynamics = strands::dynamics_of_frame(input, pass);
+    std::vector<reference::Colliders> colliders;
+    for (int k = 0; has_contact(input.scene.contact) && k < steps; ++k)
+      colliders.push_back(colliders_after(input, long(pass) * steps + k));
     for_each_index(states.size(), 64, [&](std::size_t i) {
       for (int k = 0; k < steps; ++k) {
         std::optional<naive::SkinPoint> point;
         if (skin) point = skin_point(from, skin->frame(), i, double(k + 1) / steps);
         states[i] = naive::step(input.fur.chains[i], dynamics, states[i], long(pass) * steps + k,
                                 point ? &*point : nullptr);
+        if (!colliders.empty())
+          states[i] = naive::pushed(input.fur.chains[i], dynamics, states[i], colliders[std::size_t(k)]);
       }
     });
     if (each) each(keys_after(pass + 1));

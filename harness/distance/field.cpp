@@ -85,18 +85,29 @@ std::shared_ptr<const Mesh> closed(std::shared_ptr<const Mesh> mesh) {
 
 }  // namespace
 
-DistanceField distance_field(const std::shared_ptr<const Mesh>& mesh, int cells) {
+DistanceField grid_of(const Mesh& mesh, int cells) {
   if (cells < 4 || cells > 256)
     throw InputError(fmt::format("cells of the body's distance field: {}; it must be from 4 to 256", cells));
-  const ClosedSurface surface(mesh);
-  glm::vec3 least(mesh->position.front()), most = least;
-  for (const glm::vec3& p : mesh->position) least = glm::min(least, p), most = glm::max(most, p);
+  glm::vec3 least(mesh.position.front()), most = least;
+  const auto add = [&](const std::vector<glm::vec3>& points) {
+    for (const glm::vec3& p : points) least = glm::min(least, p), most = glm::max(most, p);
+  };
+  add(mesh.position);
+  for (const std::vector<glm::vec3>& frame : mesh.frames) add(frame);
   const glm::vec3 size = most - least;
   DistanceField f;
-  f.mesh = mesh->hash;
+  f.mesh = mesh.hash;
   f.cell = std::max({size.x, size.y, size.z, 1e-6f}) / float(cells);
   f.nodes = glm::ivec3(glm::ceil(size / f.cell)) + 1 + 2 * margin;
   f.origin = (least + most) / 2.0f - 0.5f * f.cell * glm::vec3(f.nodes - 1);
+  return f;
+}
+
+namespace {
+
+/// Sets the distances of the grid `f` from a mesh.
+DistanceField filled(DistanceField f, const std::shared_ptr<const Mesh>& mesh) {
+  const ClosedSurface surface(mesh);
   f.distance.reserve(std::size_t(f.nodes.x) * std::size_t(f.nodes.y) * std::size_t(f.nodes.z));
   for (int z = 0; z < f.nodes.z; ++z)
     for (int y = 0; y < f.nodes.y; ++y)
@@ -105,16 +116,43 @@ DistanceField distance_field(const std::shared_ptr<const Mesh>& mesh, int cells)
   return f;
 }
 
-std::shared_ptr<const DistanceField> kept_distance_field(const std::shared_ptr<const Mesh>& mesh, int cells) {
-  if (mesh->hash.empty()) return std::make_shared<const DistanceField>(distance_field(mesh, cells));
-  const std::string name =
-      fmt::format("field-{}", Hash().text(mesh->hash).number(std::uint64_t(cells)).hex());
+/// Returns a field from the cache, or computes it by `compute` and writes it to the cache.
+template <class Compute>
+std::shared_ptr<const DistanceField> kept(const std::string& hash, const Compute& compute) {
   const auto parts = [](const auto& store, auto& f) {
     return store(f.mesh) && store(f.nodes) && store(f.origin) && store(f.cell) && store(f.distance);
   };
   return std::make_shared<const DistanceField>(
-      cached<DistanceField>(cache_folder() / "fields" / name, "pelage field 1\n", std::uintmax_t(64) << 20,
-                            parts, [&] { return distance_field(mesh, cells); }));
+      cached<DistanceField>(cache_folder() / "fields" / ("field-" + hash), "pelage field 1\n",
+                            std::uintmax_t(64) << 20, parts, compute));
+}
+
+}  // namespace
+
+DistanceField distance_field(const std::shared_ptr<const Mesh>& mesh, int cells) {
+  return filled(grid_of(*mesh, cells), mesh);
+}
+
+std::shared_ptr<const DistanceField> kept_distance_field(const std::shared_ptr<const Mesh>& mesh, int cells) {
+  if (mesh->hash.empty()) return std::make_shared<const DistanceField>(distance_field(mesh, cells));
+  return kept(Hash().text(mesh->hash).number(std::uint64_t(cells)).hex(),
+              [&] { return distance_field(mesh, cells); });
+}
+
+std::vector<std::shared_ptr<const DistanceField>> kept_distance_fields(
+    const std::shared_ptr<const Mesh>& mesh, int cells) {
+  const DistanceField grid = grid_of(*mesh, cells);
+  std::vector<std::shared_ptr<const DistanceField>> fields(mesh->frames.size());
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    fields[i] =
+        kept(Hash().text(mesh->hash).number(std::uint64_t(cells)).number(std::uint64_t(i)).hex(), [&] {
+          auto frame = std::make_shared<Mesh>(*mesh);
+          frame->frames.clear();
+          for (std::size_t v = 0; v < frame->position.size(); ++v)
+            frame->position[v] = mesh->frames[i][mesh->weld[v]];
+          return filled(grid, frame);
+        });
+  return fields;
 }
 
 double value_at(const DistanceField& field, glm::dvec3 point) {

@@ -29,10 +29,19 @@ struct DistanceField {
 /// Throws InputError if the mesh is not closed, or if `cells` is out of range.
 DistanceField distance_field(const std::shared_ptr<const Mesh>& mesh, int cells = 64);
 
+/// Returns the grid of the field of a mesh, without distances. If the mesh has frames, the grid surrounds all
+/// of them. Throws InputError if `cells` is out of range.
+DistanceField grid_of(const Mesh& mesh, int cells);
+
 /// Returns the field of distance_field() from the cache on disk (subfolder `fields` of cache_folder()), or
 /// computes the field and writes it to the cache.
 std::shared_ptr<const DistanceField> kept_distance_field(const std::shared_ptr<const Mesh>& mesh,
                                                          int cells = 64);
+
+/// Returns the field of each of the mesh's frames (Mesh::frames), from the cache on disk like
+/// kept_distance_field(). All have the grid of grid_of().
+std::vector<std::shared_ptr<const DistanceField>> kept_distance_fields(
+    const std::shared_ptr<const Mesh>& mesh, int cells);
 
 /// Returns the field's value at a point (trilinear interpolation), R. A point outside the grid has the value
 /// of the nearest point of the grid.

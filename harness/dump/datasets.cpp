@@ -207,7 +207,7 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   const reference::Mask mask = reference::wetness_mask(input, output.frames);
   const bool springs = has_springs(input.scene.dynamics);
   const reference::Geometry geometry(
-      input, mask, springs ? 0 : output.frames, {}, reference::Mutant::none,
+      input, mask, output.frames, {}, reference::Mutant::none,
       springs ? std::vector<glm::dvec3>(output.tips.begin(), output.tips.end()) : std::vector<glm::dvec3>());
   const auto layers = static_cast<std::size_t>(input.scene.fur.layers);
   std::vector<glm::vec3> offset;
@@ -224,8 +224,8 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
 }
 
 /// Writes the factors of the scene's maps (docs/shells.md, section 8) and the distance field of the mesh
-/// among its colliders (docs/shells.md, section 9). Writes nothing if the scene has none.
-void write_style(Hdf5File& file, const FrameInput& input) {
+/// among its colliders (docs/colliders.md). Writes nothing if the scene has none.
+void write_style(Hdf5File& file, const FrameInput& input, int frames) {
   const Style& style = input.style;
   const auto write = [&](const char* name, const std::vector<float>& values, const char* what) {
     if (!values.empty()) file.write(name, values, "1", what);
@@ -238,15 +238,16 @@ void write_style(Hdf5File& file, const FrameInput& input) {
   if (!density.value.empty())
     file.write("style/density", {std::size_t(density.height), std::size_t(density.width)}, density.value, "1",
                "factor of fur.density at the centres of the map's pixels, top row (v = 1) first");
-  const DistanceField* field = input.contact_field.get();
-  if (!field) return;
+  if (input.contact_fields.empty()) return;
+  const DistanceField field =
+      contact_field_at(input.contact_fields, input.scene.contact.mesh, input.scene.dynamics,
+                       reference::time_after(input.scene.dynamics, frames));
   file.write(
-      "contact/field",
-      {std::size_t(field->nodes.z), std::size_t(field->nodes.y), std::size_t(field->nodes.x)},
-      field->distance, "1",
+      "contact/field", {std::size_t(field.nodes.z), std::size_t(field.nodes.y), std::size_t(field.nodes.x)},
+      field.distance, "1",
       "distance of each node of a grid from the surface of contact.mesh, negative inside, divided by contact.mesh_scale; axes: z, y, x");
   file.write(
-      "contact/grid", std::array{field->origin.x, field->origin.y, field->origin.z, field->cell}, "1",
+      "contact/grid", std::array{field.origin.x, field.origin.y, field.origin.z, field.cell}, "1",
       "position of the field's first node relative to the centre of the mesh, and distance of adjacent nodes, both divided by contact.mesh_scale");
 }
 
@@ -275,7 +276,7 @@ void write_shells(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   write_textures(file, input);
   write_layers(file, input, output);
   write_camera(file, input.camera);
-  write_style(file, input);
+  write_style(file, input, output.frames);
 }
 
 }  // namespace pelage::dump

@@ -115,7 +115,8 @@ Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotatio
 
 /// Returns the points of the file that belong to each surface point, the nearest one first.
 std::vector<std::vector<std::uint32_t>> coincident_of(const Mesh& mesh, const Points& first,
-                                                      const Placement& place, const fs::path& file) {
+                                                      const Placement& place, const fs::path& file,
+                                                      std::string_view key) {
   Cells cells(near);
   for (std::uint32_t i = 0; i < first.position.size(); ++i)
     if (first.used[i]) cells.add(place(first.position[i]), i);
@@ -130,8 +131,8 @@ std::vector<std::vector<std::uint32_t>> coincident_of(const Mesh& mesh, const Po
     });
     if (point.empty())
       throw InputError(fmt::format(
-          "mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its frames cannot be matched; give a mesh whose preparation changes no points (`pelage mesh` lists the changes)",
-          file.string()));
+          "{}: {}: the preparation of this mesh moved, added or removed points, so its frames cannot be matched; give a mesh whose preparation changes no points (`pelage mesh` lists the changes)",
+          key, file.string()));
     const auto nearest = std::ranges::min_element(point, {}, gap);
     std::rotate(point.begin(), nearest, nearest + 1);
   }
@@ -140,13 +141,13 @@ std::vector<std::vector<std::uint32_t>> coincident_of(const Mesh& mesh, const Po
 
 }  // namespace
 
-fs::path frame_file(const fs::path& first, int frame) {
+fs::path frame_file(const fs::path& first, int frame, std::string_view key) {
   const std::string stem = first.stem().string();
   const std::size_t last = stem.find_last_of("0123456789");
   if (last == std::string::npos)
     throw InputError(fmt::format(
-        "mesh.frames: {}: the name of the first frame's file needs a number that counts up, such as walk-0000.obj",
-        first.string()));
+        "{}: {}: the name of the first frame's file needs a number that counts up, such as walk-0000.obj",
+        key, first.string()));
   const std::size_t first_digit = stem.find_last_not_of("0123456789", last) + 1;  // npos + 1 is 0
   const std::size_t begin = std::max(first_digit, last > 17 ? last - 17 : 0);
   const std::string digits = stem.substr(begin, last + 1 - begin);
@@ -156,30 +157,29 @@ fs::path frame_file(const fs::path& first, int frame) {
 }
 
 std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs::path& first, int count,
-                                                     glm::dvec3 rotation) {
+                                                     glm::dvec3 rotation, std::string_view key) {
   if (std::uint64_t(count) * mesh.welded > most_points)
-    throw InputError(
-        fmt::format("mesh.frames: {} frames of {} points; all frames together may have at most {} points",
-                    count, mesh.welded, most_points));
+    throw InputError(fmt::format("{}: {} frames of {} points; all frames together may have at most {} points",
+                                 key, count, mesh.welded, most_points));
   const Points rest = read_points(first);
   const Placement place = placement_of(mesh, rest, rotation);
-  const std::vector<std::vector<std::uint32_t>> coincident = coincident_of(mesh, rest, place, first);
+  const std::vector<std::vector<std::uint32_t>> coincident = coincident_of(mesh, rest, place, first, key);
   std::vector<std::vector<glm::vec3>> frames(static_cast<std::size_t>(count));
   for (int frame = 0; frame < count; ++frame) {
-    const fs::path file = frame_file(first, frame);
+    const fs::path file = frame_file(first, frame, key);
     const Points points = frame == 0 ? rest : read_points(file);
     if (points.position.size() != rest.position.size() || points.faces != rest.faces)
       throw InputError(fmt::format(
-          "mesh.frames: {}: the points or faces are not those of {}; all frames need the same points and faces in the same order",
-          file.string(), first.string()));
+          "{}: {}: the points or faces are not those of {}; all frames need the same points and faces in the same order",
+          key, file.string(), first.string()));
     std::vector<glm::vec3>& position = frames[std::size_t(frame)];
     for (const std::vector<std::uint32_t>& point : coincident) {
       const glm::dvec3 here = place(points.position[point.front()]);
       for (const std::uint32_t other : std::span(point).subspan(1))
         if (const glm::dvec3 there = place(points.position[other]); glm::distance(here, there) > together)
           throw InputError(fmt::format(
-              "mesh.frames: {}: the points {} and {} coincide in the first frame and part here; give them different positions in the first frame",
-              file.string(), std::min(point.front(), other) + 1, std::max(point.front(), other) + 1));
+              "{}: {}: the points {} and {} coincide in the first frame and part here; give them different positions in the first frame",
+              key, file.string(), std::min(point.front(), other) + 1, std::max(point.front(), other) + 1));
       position.emplace_back(here);
     }
   }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pelage {
@@ -67,17 +68,19 @@ void require_model(const std::string& name_or_file);
 
 /// Returns the file of frame `frame`, where `first` is the file of frame 0. The last number in the name of
 /// `first` counts up, and keeps its leading zeros: "walk-0009.obj" is followed by "walk-0010.obj". Throws
-/// InputError if the name contains no number.
-std::filesystem::path frame_file(const std::filesystem::path& first, int frame);
+/// InputError if the name contains no number. The message begins with `key`.
+std::filesystem::path frame_file(const std::filesystem::path& first, int frame,
+                                 std::string_view key = "mesh.frames");
 
 /// Returns the positions of the mesh's surface points (Mesh::weld) in `count` frames, in R. `mesh` is the
 /// prepared mesh of the file `first`, rotated by `rotation` (degrees about x, then y, then z). All frames get
 /// the rotation, the translation and the scale that the preparation gave to the first frame. Throws
 /// InputError if a file is missing or not a mesh, if it has other faces than the first file, if the
 /// preparation of the first file moved or added points, or if points that coincide in the first frame part in
-/// a later one.
+/// a later one. `key` is the scene key in messages.
 std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const std::filesystem::path& first,
-                                                     int count, glm::dvec3 rotation);
+                                                     int count, glm::dvec3 rotation,
+                                                     std::string_view key = "mesh.frames");
 
 // Writes a prepared mesh to a file for other programs.
 

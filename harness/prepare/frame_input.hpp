@@ -10,8 +10,8 @@
 #include <memory>
 #include <vector>
 
-#include "harness/distance/field.hpp"
 #include "harness/mesh/mesh.hpp"
+#include "harness/prepare/contact.hpp"
 #include "harness/scene/scene.hpp"
 
 namespace pelage {
@@ -138,10 +138,8 @@ struct FrameInput {
   /// the texel's centre, in units of R (the mesh radius). A texel outside all charts has the position of the
   /// nearest texel (in UV) inside a chart.
   std::vector<glm::vec3> mask_surface;
-  glm::vec2 fur_scale{1.0f};  ///< number of repeats of the fur texture per unit of u and of v
-  /// Distances from the mesh contact.mesh, scaled to a bounding sphere of radius 1 around the origin. Null
-  /// without such a mesh.
-  std::shared_ptr<const DistanceField> contact_field;
+  glm::vec2 fur_scale{1.0f};     ///< number of repeats of the fur texture per unit of u and of v
+  ContactFields contact_fields;  ///< distances from the mesh contact.mesh
   Camera camera;
 };
 

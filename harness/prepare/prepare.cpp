@@ -73,7 +73,7 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   auto fur = std::async(std::launch::async, [texture = of_texture(scene.fur, input->style)] {
     return kept_fur_texture(texture);
   });
-  input->contact_field = contact_field(scene.contact.mesh);
+  input->contact_fields = contact_fields(scene.contact.mesh);
   input->scene = scene;
   input->strands = make_strands(skin, scene.fur, scene.dynamics.wind, input->style);
   input->tangents = surface_tangents(*mesh, skin);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "harness/distance/field.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/mesh/mesh.hpp"
@@ -49,21 +48,6 @@ std::shared_ptr<const Mesh> SceneMeshes::of(const Scene& scene,
       kept_[{scene.model, scene.fur.uv, scene.mesh.components, scene.mesh.frames, turn.x, turn.y, turn.z}];
   if (!mesh) mesh = load_scene_mesh(scene, progress);
   return mesh;
-}
-
-std::shared_ptr<const DistanceField> contact_field(const ContactMeshScene& mesh) {
-  if (mesh.file.empty()) return {};
-  std::shared_ptr<const Mesh> loaded;
-  try {
-    loaded = load_model(mesh.file.string());
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("contact.mesh: {}", error.what()));
-  }
-  if (!is_closed(*loaded))
-    throw InputError(
-        fmt::format("contact.mesh: {}: the mesh is not closed, so it has no inside; give a closed mesh",
-                    mesh.file.string()));
-  return kept_distance_field(loaded, mesh.cells);
 }
 
 }  // namespace pelage

@@ -1,5 +1,4 @@
-// Loads the meshes that a scene names: the model, with the mesh options of the scene, and the collider
-// (docs/shells.md, section 9).
+// Loads the model of a scene, with the scene's mesh options.
 #pragma once
 #include <functional>
 #include <map>
@@ -7,7 +6,6 @@
 #include <string>
 #include <tuple>
 
-#include "harness/distance/field.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/scene/scene.hpp"
 
@@ -31,10 +29,5 @@ class SceneMeshes {
   using Key = std::tuple<std::string, std::string, std::string, int, float, float, float>;
   std::map<Key, std::shared_ptr<const Mesh>> kept_;
 };
-
-/// Returns the distances from the mesh among the colliders, scaled to a bounding sphere of radius 1 around
-/// the origin; null if the scene names no mesh. Throws InputError if the file is no usable mesh, or if the
-/// mesh is not closed.
-std::shared_ptr<const DistanceField> contact_field(const ContactMeshScene& mesh);
 
 }  // namespace pelage

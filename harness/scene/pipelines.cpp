@@ -36,7 +36,6 @@ bool strands_ignore(std::string_view key, const Scene& scene) {
                                                 "clump.",
                                                 "soaked.",
                                                 "blend.",
-                                                "contact.",
                                                 "dynamics.springs.",
                                                 "dynamics.poke.",
                                                 "dynamics.solver",
@@ -60,9 +59,15 @@ bool strands_ignore(std::string_view key, const Scene& scene) {
 
 /// The ray-cast picture shows all strands at rest, as cones and without shadows of strands.
 bool raycast_ignores(std::string_view key, const Scene& scene) {
-  static constexpr std::string_view motion_and_drawing[] = {
-      "dynamics.",        "strands.chain.",      "strands.segments", "strands.subdivision",
-      "strands.fraction", "strands.least_width", "strands.shadow",   "strands.shadow_size"};
+  static constexpr std::string_view motion_and_drawing[] = {"contact.",
+                                                            "dynamics.",
+                                                            "strands.chain.",
+                                                            "strands.segments",
+                                                            "strands.subdivision",
+                                                            "strands.fraction",
+                                                            "strands.least_width",
+                                                            "strands.shadow",
+                                                            "strands.shadow_size"};
   return strands_ignore(key, scene) ||
          (key != "strands.chain.first_segment" && listed(key, motion_and_drawing));
 }

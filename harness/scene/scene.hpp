@@ -239,6 +239,8 @@ inline double picture_time(const DynamicsScene& dynamics, int frames) {
   return frames > 1 ? static_cast<double>(frames - 1) * frame : 0.0;
 }
 
+inline constexpr int most_mesh_frames = 10'000;  ///< greatest MeshScene::frames, ContactMeshScene::frames
+
 // Colliders: bodies that push the layers of the fur down (docs/shells.md, section 9).
 
 inline constexpr float longest_contact = 3600.0f;  ///< greatest time of a collider, s
@@ -277,6 +279,10 @@ struct ContactMeshScene {
   glm::vec3 position{0.0f, 1.2f, 0.0f};  ///< R
   float scale = 0.3f;                    ///< radius of the mesh's bounding sphere, R
   int cells = 48;                        ///< number of cells of the field along the longest side of the mesh
+  glm::vec3 axis{0.0f, 1.0f, 0.0f};      ///< axis of rotation through `position`
+  float spin = 0.0f;                     ///< angular velocity, rad/s
+  int frames = 1;                        ///< number of mesh files
+  std::string after_frames = "hold";     ///< as MeshScene::after_frames
   ContactMotion motion;
 };
 
@@ -339,8 +345,6 @@ struct ImageScene {
   int height = 600;
   glm::vec3 background{0.30f, 0.34f, 0.39f};
 };
-
-inline constexpr int most_mesh_frames = 10'000;  ///< greatest MeshScene::frames
 
 /// Options of mesh preparation.
 struct MeshScene {

@@ -140,6 +140,10 @@ void check_contact(const ContactScene& contact, const std::string& source) {
   for (std::size_t i = 0; i < contact.capsules.size(); ++i)
     check_times(fmt::format("{}[{}].end", contact_capsule_list, i + 1), contact.capsules[i].motion);
   check_times("contact.mesh_end", contact.mesh.motion);
+  if (contact.mesh.file.empty())
+    for (const auto& [key, given] : {std::pair("contact.mesh_spin", contact.mesh.spin != 0),
+                                     {"contact.mesh_frames", contact.mesh.frames != 1}})
+      if (given) throw InputError(fmt::format("{}: {}: there is no mesh; give contact.mesh", source, key));
   const std::size_t count = contact.spheres.size() + contact.capsules.size();
   if (count > most_colliders)
     throw InputError(fmt::format("{}: {}: {} spheres and capsules; give at most {} together", source,
@@ -154,9 +158,23 @@ void check_strands_only(const Scene& scene, const std::string& source) {
   };
   if (!scene.fur.length_map.empty()) refuse("fur.length_map");
   if (!scene.fur.comb_map.empty()) refuse("fur.comb_map");
-  if (!scene.contact.spheres.empty()) refuse(contact_sphere_list);
-  if (!scene.contact.capsules.empty()) refuse(contact_capsule_list);
-  if (!scene.contact.mesh.file.empty()) refuse("contact.mesh");
+}
+
+/// Throws InputError if the scene has colliders that its dynamics cannot push.
+void check_pushed(const Scene& scene, const std::string& source) {
+  if (!has_contact(scene.contact)) return;
+  const DynamicsScene& d = scene.dynamics;
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: contact: {}", source, what));
+  };
+  if (!has_springs(d)) return;
+  const MotionScene& m = d.motion;
+  if (m.velocity != glm::vec3(0) || m.shake != glm::vec3(0) || m.spin != 0 || m.swing != 0)
+    refuse("colliders need an object that stays; leave out dynamics.motion");
+  if (d.tolerance != 0) refuse("colliders need steps of equal length; give dynamics.tolerance = 0");
+  if (!springs::solver_of(d.solver).newton)
+    refuse(fmt::format("colliders do not push the sticks of the solver {}; give another dynamics.solver",
+                       d.solver));
 }
 
 /// Throws InputError for a key that the scene's dynamics.topology does not support. The function does
@@ -285,6 +303,7 @@ void check_scene(const Scene& scene, const std::string& source) {
   check_sizes(scene, source);
   check_topology(scene, source);
   check_contact(scene.contact, source);
+  check_pushed(scene, source);
   if (has_springs(scene.dynamics) || has_chains(scene.dynamics)) check_strands_only(scene, source);
   if (!has_springs(scene.dynamics) && !has_chains(scene.dynamics)) check_step(scene.dynamics, source);
   check_time(scene.dynamics, source);

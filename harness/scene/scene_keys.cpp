@@ -100,7 +100,11 @@ std::vector<Key> contact_keys(ContactScene& c) {
       {"contact.mesh_position", &mesh.position, "R", -1000, 1000, "position of the mesh's centre at the time contact.mesh_begin"},
       {"contact.mesh_scale", &mesh.scale, "R", 0.001, 100, "radius of the mesh's bounding sphere"},
       {"contact.mesh_cells", &mesh.cells, "", 4, 256, "number of cells of the signed distance field along the longest side of the mesh"},
-      {"contact.mesh_velocity", &motion.velocity, "R/s", -1000, 1000, "velocity of the mesh"},
+      {"contact.mesh_velocity", &motion.velocity, "R/s", -1000, 1000, "velocity of the mesh's centre"},
+      {"contact.mesh_axis", &mesh.axis, "direction", -1e6, 1e6, "axis of the mesh's rotation, through its centre"},
+      {"contact.mesh_spin", &mesh.spin, "rad/s", -1000, 1000, "angular velocity of the mesh; at the time contact.mesh_begin it has not yet turned"},
+      {"contact.mesh_frames", &mesh.frames, "", 1, most_mesh_frames, "number of files of a mesh that deforms; contact.mesh is the first, the number in its name counts up, and the next file follows after dynamics.substeps time steps; 1: the mesh does not deform"},
+      {.name = "contact.mesh_after_frames", .slot = &mesh.after_frames, .unit = "", .help = "what follows the last file: \"hold\" keeps its shape, \"repeat\" begins again with the first file", .choices = {"hold", "repeat"}},
       {"contact.mesh_begin", &motion.begin, "s", 0, longest_contact, "time at which the mesh appears"},
       {"contact.mesh_end", &motion.end, "s", 0, longest_contact, "time at which the mesh disappears"},
   };

@@ -228,6 +228,10 @@ std::string scene_hash(const Scene& scene) {
       {"dynamics.springs.vertices", "\"points\""},
       {"clump.function", "\"logarithmic\""},
       {"shading.self_shadow", "\"darkening\""},
+      {"contact.mesh_axis", "[0.0, 1.0, 0.0]"},
+      {"contact.mesh_spin", "0.0"},
+      {"contact.mesh_frames", "1"},
+      {"contact.mesh_after_frames", "\"hold\""},
   };
   const auto is_hashed = [](const Key& key) {
     return key.name != "pipeline" && std::ranges::none_of(later_keys, [&](const auto& later) {

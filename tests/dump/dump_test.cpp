@@ -81,7 +81,7 @@ FrameInput with_field(FrameInput input) {
   field->nodes = {22, 21, 23};
   field->cell = 1;
   field->distance.assign(std::size_t(21) * 22 * 23, 1.0f);
-  input.contact_field = field;
+  input.contact_fields = {field};
   return input;
 }
 

@@ -1,12 +1,17 @@
 // Tests the preparation of maps and colliders, and the refusal of bad ones.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/prepare/contact.hpp"
 #include "harness/prepare/picture_map.hpp"
-#include "harness/prepare/scene_mesh.hpp"
 #include "harness/prepare/strands.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/style_scenes.hpp"
@@ -73,10 +78,82 @@ TEST(ContactField, RefusesAnOpenMesh) {
   write_ply(folder.path / "open.ply", open);
   ContactMeshScene scene;
   scene.file = folder.path / "open.ply";
-  const std::string message = refusal([&] { contact_field(scene); });
+  const std::string message = refusal([&] { contact_fields(scene); });
   test::expect_has(message, {"not closed", "open.ply"});
   scene.file = folder.path / "missing.ply";
-  test::expect_has(refusal([&] { contact_field(scene); }), "contact.mesh");
+  test::expect_has(refusal([&] { contact_fields(scene); }), "contact.mesh");
+}
+
+TEST(ContactField, RefusesFilesThatAreNoFrames) {
+  const test::Folder folder;
+  const Mesh torus = *load_model("torus-24x16");
+  const auto with = [&](const char* file, int frames, int cells = 8) {
+    ContactMeshScene scene;
+    scene.file = folder.path / file;
+    scene.frames = frames;
+    scene.cells = cells;
+    return refusal([&] { contact_fields(scene); });
+  };
+  for (const char* name : {"plain.ply", "ring-0.ply", "ring-1.ply"}) write_ply(folder.path / name, torus);
+  write_ply(folder.path / "ring-2.ply", *load_model("torus-24x12"));
+  EXPECT_EQ(with("ring-0.ply", 2), "accepted");
+  test::expect_has(with("plain.ply", 2), {"contact.mesh_frames", "plain.ply", "needs a number"});
+  test::expect_has(with("ring-0.ply", 3), {"contact.mesh_frames", "ring-2.ply", "are not those of"});
+}
+
+TEST(ContactField, HasTheDistancesOfEachFile) {
+  const test::Folder folder;
+  const Mesh torus = *load_model("torus-60x36");
+  ContactMeshScene scene;
+  scene.file = folder.path / "ring-0.ply";
+  scene.frames = 3;
+  scene.cells = 24;
+  for (int i = 0; i < 3; ++i) {
+    Mesh moved = torus;
+    for (glm::vec3& p : moved.position) p = (1 + 0.5f * float(i)) * p + glm::vec3(0.2f * float(i), 0, 0);
+    write_ply(folder.path / fmt::format("ring-{}.ply", i), moved);
+  }
+  const ContactFields fields = contact_fields(scene);
+  ASSERT_EQ(fields.size(), 3u);
+  const DistanceField alone = distance_field(load_model((folder.path / "ring-0.ply").string()), 24);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(fields[std::size_t(i)]->nodes, fields[0]->nodes);
+    EXPECT_EQ(fields[std::size_t(i)]->origin, fields[0]->origin);
+    const double scale = 1 + 0.5 * i;
+    for (const glm::dvec3 p : {glm::dvec3(0.7, 0.1, 0.2), {0.1, -0.3, 0.6}, {0.05, 0.02, 0.01}})
+      EXPECT_NEAR(value_at(*fields[std::size_t(i)], scale * p + glm::dvec3(0.2 * i, 0, 0)),
+                  scale * value_at(alone, p), 0.05)
+          << i;
+  }
+}
+
+TEST(ContactMoment, TurnsAndCountsFiles) {
+  ContactMeshScene mesh;
+  DynamicsScene dynamics;
+  dynamics.step = 1.0f / 256;
+  dynamics.substeps = 4;
+  mesh.axis = {0, 0, 5};
+  mesh.spin = 2;
+  mesh.frames = 3;
+  mesh.motion.begin = 1;
+  const double quarter = std::acos(-1.0) / 4;
+  const glm::dvec3 x(1, 0, 0);
+  EXPECT_EQ(contact_moment(mesh, dynamics, 0.5).turn * x, x);  // before the beginning
+  EXPECT_LT(glm::distance(contact_moment(mesh, dynamics, 1 + quarter).turn * x, glm::dvec3(0, 1, 0)), 1e-12);
+  mesh.spin = 1000;  // 3600 s
+  EXPECT_LT(glm::distance(contact_moment(mesh, dynamics, 3601).turn * x,
+                          glm::dvec3(std::cos(3.6e6), std::sin(3.6e6), 0)),
+            1e-8);
+  const ContactMoment m = contact_moment(mesh, dynamics, 1 + 2.75 / 64);
+  EXPECT_EQ(m.file, 2);
+  EXPECT_DOUBLE_EQ(m.share, 0.75);
+  EXPECT_EQ(m.spin, glm::dvec3(0, 0, 1000));
+  for (const int interval : {0, 1, 2, 3, 4, 215999}) {
+    mesh.after_frames = "hold";
+    EXPECT_EQ(field_of_interval(mesh, interval), std::size_t(std::min(interval, 2)));
+    mesh.after_frames = "repeat";
+    EXPECT_EQ(field_of_interval(mesh, interval), std::size_t(interval % 3));
+  }
 }
 
 /// Reads a picture of 2 x 2 pixels, written as EXR, whose values are not rounded.

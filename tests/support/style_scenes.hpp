@@ -117,4 +117,22 @@ inline std::shared_ptr<const FrameInput> pressed_fur(const std::function<void(Sc
   });
 }
 
+/// Returns pressed_fur() whose torus turns, and deforms over three files that repeat.
+inline std::shared_ptr<const FrameInput> kneaded_fur(const std::function<void(Scene&)>& change = {}) {
+  const test::Folder folder;
+  Mesh torus = *load_model("torus-24x16");
+  for (const char* name : {"torus-0.ply", "torus-1.ply", "torus-2.ply"}) {
+    write_ply(folder.path / name, torus);
+    for (glm::vec3& p : torus.position) p *= glm::vec3(1.05f, 1.3f, 0.95f);
+  }
+  return pressed_fur([&](Scene& s) {
+    s.contact.mesh.file = folder.path / "torus-0.ply";
+    s.contact.mesh.axis = {1, 0.5f, -0.25f};
+    s.contact.mesh.spin = 4;
+    s.contact.mesh.frames = 3;
+    s.contact.mesh.after_frames = "repeat";
+    if (change) change(s);
+  });
+}
+
 }  // namespace pelage::style_scenes

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/contact/opencl/contact_stage.hpp"
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/shells/opencl/mapping.hpp"
 
@@ -16,7 +17,7 @@ std::string style_options(const Scene& scene) {
   else if (scene.fur.density < 1)
     options += " -D DENSITY=1";
   if (coverage_power(scene.fur) != 1) options += " -D COVERAGE_POWER=1";
-  if (has_contact(scene.contact)) options += " -D CONTACT=1";
+  options += contact_options(scene.contact);
   if (scene.shading.self_shadow == "traced") options += " -D TRACED=1";
   if (by_depth(scene.blend)) options += " -D DEPTH_ORDER=1";
   return options;
@@ -37,7 +38,7 @@ cl::ProgramText wet_text(const Scene& scene, int lanes) {
 cl::ProgramText simulate_text(const Scene& scene, int lanes) {
   std::string options = build_options(lanes, {});
   if (!scene.fur.length_map.empty()) options += " -D LENGTH_MAP=1";
-  if (has_contact(scene.contact)) options += " -D CONTACT=1";
+  options += contact_options(scene.contact);
   return {"simulate/simulate.cl", options};
 }
 

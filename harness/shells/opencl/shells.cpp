@@ -30,7 +30,7 @@ struct Shells::State {
       springs.emplace(queue, *input, geometry, lanes);
     else
       simulate.emplace(queue, *input, geometry, lanes, options.tuning);
-    if (simulate) raster.collide_with(simulate->contact());
+    raster.collide_with(springs ? springs->contact() : simulate->contact());
   }
 
   /// Computes the mask of the picture after `shown` frames, if the water changes over time.

@@ -32,7 +32,7 @@ SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, co
       gusts_(queue.device(), 2 * std::size_t(input.scene.dynamics.substeps)),
       constants_(queue, std::span<const float>(geometry.strand_constants)),
       state_(queue, std::span<const float>(rest_state(geometry))) {
-  if (has_contact(input.scene.contact)) contact_.emplace(queue, input);
+  if (has_contact(input.scene.contact)) contact_.emplace(queue, input.scene, input.contact_fields);
   if (forces_change(input.scene)) forces_ = {input.scene, input.strands.root, geometry.strand_constants};
 }
 

@@ -7,6 +7,7 @@
 
 #include "harness/cl/buffer.hpp"
 #include "harness/cl/program.hpp"
+#include "harness/contact/opencl/contact_stage.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/geometry.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
@@ -15,26 +16,6 @@
 #include "kernels/simulate/params.h"
 
 namespace pelage::shells {
-
-/// The colliders of a scene (docs/shells.md, section 9) on a device.
-class ContactStage {
- public:
-  ContactStage(const cl::Queue& queue, const FrameInput& input);
-  /// Writes the colliders of frame number `frame`, counted from 0: their rows at the end of each substep.
-  void set_frame(const cl::Queue& queue, int frame);
-  /// Returns the colliders in the form that kernels/common/contact.clh describes.
-  const cl::Buffer<float>& table() const { return table_; }
-  const cl::Buffer<float>& field() const { return field_; }  ///< DistanceField::distance, or one 0
-  int last() const { return dynamics_.substeps - 1; }        ///< number of the picture's time in the table
-
- private:
-  std::vector<float> values(int frame) const;
-
-  ContactScene scene_;
-  DynamicsScene dynamics_;
-  std::vector<float> header_;
-  cl::Buffer<float> table_, field_;
-};
 
 /// Simulates all strands. Eq. 2 of S moves the tips, and Eq. 3 limits their positions.
 class SimulateStage {
@@ -89,7 +70,9 @@ class SpringStage {
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
   /// Returns the velocity of the top of every stick.
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const { return masses_.speeds(queue); }
-  std::vector<const cl::Program*> programs() const { return {&program_, &masses_.program()}; }
+  /// Returns the colliders of the last frame; null if the scene has none.
+  const ContactStage* contact() { return masses_.contact(); }
+  std::vector<const cl::Program*> programs() const;
 
  private:
   /// What a scene with keyframes of forces needs in every frame.

@@ -12,6 +12,7 @@ springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, in
   options.lanes = lanes;
   springs::MassSprings masses(queue, network, springs::dynamics_of(input.scene.dynamics, network), options);
   masses.push(queue, springs::pushes(network, *input.mesh, input.scene.dynamics.poke));
+  if (has_contact(input.scene.contact)) masses.collide(queue, input.scene, input.contact_fields);
   return masses;
 }
 
@@ -47,6 +48,7 @@ void SpringStage::frame(const cl::Queue& queue, int number, cl::PhaseEvents* eve
     masses_.set_forces(queue, forces_->network, springs::dynamics_of(scene, forces_->network));
     masses_.push(queue, springs::pushes(forces_->network, *forces_->mesh, scene.poke));
   }
+  if (masses_.contact()) masses_.contact()->set_frame(queue, number);
   std::vector<cl::Event> launches;
   if (adaptive_)
     adaptive_->advance(queue, masses_, events ? &launches : nullptr);
@@ -61,6 +63,12 @@ const cl::Buffer<float>& SpringStage::tips(const cl::Queue& queue, const RasterP
   tips_.with(params, level_, stick_, masses_.offset(), vertex, tip_);
   cl::keep(events, "transform", tips_.enqueue(queue, std::size_t(params.vertices / lanes_)));
   return tip_;
+}
+
+std::vector<const cl::Program*> SpringStage::programs() const {
+  std::vector<const cl::Program*> all{&program_, &masses_.program()};
+  if (const cl::Program* contact = masses_.contact_program()) all.push_back(contact);
+  return all;
 }
 
 }  // namespace pelage::shells

@@ -14,31 +14,34 @@ void set_vectors(GLuint program, const char* name, const std::vector<glm::vec4>&
   if (place >= 0) glProgramUniform4fv(program, place, GLsizei(values.size()), &values.front().x);
 }
 
+void upload(GLuint texture, glm::ivec3 nodes, const std::vector<float>& distance) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage3D(texture, 0, 0, 0, 0, nodes.x, nodes.y, nodes.z, GL_RED, GL_FLOAT, distance.data());
+}
+
 }  // namespace
 
 std::string contact_defines(const FrameInput& input) {
   const ContactScene& contact = input.scene.contact;
   if (!has_contact(contact)) return {};
   return fmt::format("#define CONTACT {}\n{}", contact.spheres.size() + contact.capsules.size(),
-                     input.contact_field ? "#define CONTACT_MESH\n" : "");
+                     input.contact_fields.empty() ? "" : "#define CONTACT_MESH\n");
 }
 
 gl::Object field_texture(const FrameInput& input) {
   const std::vector<float> far{1.0f};
-  const DistanceField* field = input.contact_field.get();
+  const DistanceField* field = input.contact_fields.empty() ? nullptr : input.contact_fields[0].get();
   const glm::ivec3 nodes = field ? field->nodes : glm::ivec3(1);
   gl::Object texture = gl::make_texture(GL_TEXTURE_3D);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureStorage3D(texture.id(), 1, GL_R32F, nodes.x, nodes.y, nodes.z);
-  glTextureSubImage3D(texture.id(), 0, 0, 0, 0, nodes.x, nodes.y, nodes.z, GL_RED, GL_FLOAT,
-                      field ? field->distance.data() : far.data());
+  upload(texture.id(), nodes, field ? field->distance : far);
   glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   gl::check_gl("uploading a distance field");
   return texture;
 }
 
-void set_colliders(GLuint program, const FrameInput& input, double time) {
+void set_colliders(GLuint program, GLuint field, const FrameInput& input, double time) {
   const ContactScene& contact = input.scene.contact;
   if (!has_contact(contact)) return;
   std::vector<glm::vec4> from, axis;
@@ -56,13 +59,19 @@ void set_colliders(GLuint program, const FrameInput& input, double time) {
   axis.emplace_back(0.0f);
   set_vectors(program, "collider_from", from);
   set_vectors(program, "collider_axis", axis);
-  const DistanceField* field = input.contact_field.get();
-  if (!field) return;
+  if (input.contact_fields.empty()) return;
   const ContactMeshScene& mesh = contact.mesh;
+  const DistanceField& grid = *input.contact_fields.front();
+  const ContactMoment m = contact_moment(mesh, input.scene.dynamics, time);
+  if (mesh.frames > 1)
+    upload(field, grid.nodes,
+           contact_field_at(input.contact_fields, mesh, input.scene.dynamics, time).distance);
+  std::vector<glm::vec4> axes;
+  for (int i = 0; i < 3; ++i) axes.emplace_back(glm::vec3(m.turn[i]), 0.0f);
+  set_vectors(program, "mesh_axes", axes);
   set_vectors(program, "mesh_place",
-              {glm::vec4(glm::vec3(mesh.motion.moved(mesh.position, time)),
-                         mesh.motion.exists(time) ? mesh.scale : 0.0f)});
-  set_vectors(program, "mesh_grid", {glm::vec4(field->origin, 1.0f / field->cell)});
+              {glm::vec4(glm::vec3(m.position), mesh.motion.exists(time) ? mesh.scale : 0.0f)});
+  set_vectors(program, "mesh_grid", {glm::vec4(grid.origin, 1.0f / grid.cell)});
 }
 
 }  // namespace pelage::gl

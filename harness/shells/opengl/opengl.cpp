@@ -116,7 +116,7 @@ struct OpenGl::State {
     fur = scene_program("shell.vert", "fur.frag", defines, constants);
     if (options.triangles == "seen") seen.emplace(defines, constants);
     build_ms = ms_since(begin);
-    set_colliders(fur.id(), *input, 0);
+    set_colliders(fur.id(), field.id(), *input, 0);
   }
 
   void lay_out_vertices() {
@@ -274,7 +274,8 @@ void OpenGl::bend(const std::vector<glm::vec3>& tips, int frames) {
   state_->bent = state_->vertices.bent(tips);
   const DynamicsScene& dynamics = state_->input->scene.dynamics;
   state_->context.make_current();
-  set_colliders(state_->fur.id(), *state_->input, double(frames) * dynamics.substeps * double(dynamics.step));
+  set_colliders(state_->fur.id(), state_->field.id(), *state_->input,
+                double(frames) * dynamics.substeps * double(dynamics.step));
   // Here and not in frame(), so that neither the wall time nor the CPU time of the frame contains the search.
   state_->find_seen();
   glFinish();

@@ -44,8 +44,8 @@ std::string contact_defines(const FrameInput& input);
 gl::Object field_texture(const FrameInput& input);
 
 /// Sets the uniforms of shaders/contact.glsl in `program` to the colliders at `time`, in s since the start of
-/// the simulation.
-void set_colliders(GLuint program, const FrameInput& input, double time);
+/// the simulation. If the mesh among them deforms, uploads its field at this time to the texture `field`.
+void set_colliders(GLuint program, GLuint field, const FrameInput& input, double time);
 
 /// Returns the fur texture with the mip levels of `fur`. OpenGL does the filtering that docs/shells.md,
 /// section 6, defines.

@@ -62,7 +62,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
     : input_(&input),
       mutant_(mutant),
       separate_(parts(input.scene)),
-      colliders_(input, time_after(input.scene.dynamics, frames)) {
+      colliders_(input.scene, input.contact_fields, time_after(input.scene.dynamics, frames)) {
   const bool on_sticks = has_springs(input.scene.dynamics);
   const Mesh& mesh = *input.mesh;
   const FaceSprings& strands = input.strands;

@@ -35,10 +35,10 @@ Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
 
 MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics,
                          const MassSpringOptions& options)
-    : dynamics_((springs::check(dynamics), dynamics)),
+    : lanes_(cl::lanes_of(queue.device().info(), options.lanes)),
+      dynamics_((springs::check(dynamics), dynamics)),
       layout_(lay_out(network, dynamics.wind)),
       params_(springs::params(dynamics, network.length)) {
-  const int lanes = cl::lanes_of(queue.device().info(), options.lanes);
   const bool prisms = network.kind.shared_edges();
   if (dynamics.solver.implicit && dynamics.full_jacobian)
     throw InputError(
@@ -59,9 +59,9 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& network, c
                      (options.whole == MassSpringOptions::Whole::as_suits && options.blocks_per_item == 0 &&
                       whole_suits(queue.device().info(), network.kind, dynamics.solver, network.sticks()));
   if (prisms)
-    prisms_.emplace(queue, layout_, dynamics, lanes, whole, options);
+    prisms_.emplace(queue, layout_, dynamics, lanes_, whole, options);
   else
-    blocks_.emplace(queue, layout_, dynamics, lanes, whole, options);
+    blocks_.emplace(queue, layout_, dynamics, lanes_, whole, options);
 }
 
 // Uploads wind, gravity and the object's motion for many steps_ at once, because for a small model an upload
@@ -163,11 +163,45 @@ void MassSprings::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::
   params.substeps = substeps;
   params.first_step = int(steps_);
   params.first_moment = int(2 * (steps_ - known_from_));
+  if (contact_) {
+    params.substeps = 1;
+    for (int i = 0; i < substeps; ++i, ++params.first_step, params.first_moment += 2) {
+      launch_steps(queue, params, launches);
+      launch_contact(queue, i, launches);
+    }
+  } else {
+    launch_steps(queue, params, launches);
+  }
+  steps_ += substeps;
+}
+
+void MassSprings::launch_steps(const cl::Queue& queue, const TopologyParams& params,
+                               std::vector<cl::Event>* launches) {
   if (prisms_)
     prisms_->enqueue(queue, params, buffers_, launches);
   else
     blocks_->enqueue(queue, params, buffers_, launches);
-  steps_ += substeps;
+}
+
+void MassSprings::collide(const cl::Queue& queue, const Scene& scene, const ContactFields& fields) {
+  cl::Program program(queue.device(), "springs/contact.cl",
+                      fmt::format("{}{} -D PRISMS={}", build_options(lanes_, false),
+                                  contact_options(scene.contact), int(prisms_.has_value())));
+  cl::Kernel kernel(program, "contact_step");
+  contact_ = Contact{ContactStage(queue, scene, fields), std::move(program), std::move(kernel)};
+}
+
+void MassSprings::launch_contact(const cl::Queue& queue, int time, std::vector<cl::Event>* launches) {
+  cl::Kernel& kernel = contact_->kernel;
+  const int units = int(layout_.places()) / lanes_;
+  const ContactStage& stage = contact_->stage;
+  if (prisms_)
+    kernel.with(units, time, buffers_.sites, stage.table(), stage.field(), buffers_.offset, buffers_.speed,
+                prisms_->tops(), int(prisms_->tops_on_skin()));
+  else
+    kernel.with(units, time, buffers_.sites, stage.table(), stage.field(), buffers_.offset, buffers_.speed);
+  cl::Event event = kernel.enqueue(queue, std::size_t(units));
+  if (launches) launches->push_back(std::move(event));
 }
 
 void MassSprings::check(const cl::Queue& queue) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/cl/program.hpp"
+#include "harness/contact/opencl/contact_stage.hpp"
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/layout.hpp"
 #include "harness/springs/model/network.hpp"
@@ -91,6 +92,9 @@ class PrismStage {
   /// Enqueues params.substeps steps. Waits for the queue whenever conjugate gradients test their residual.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
                std::vector<cl::Event>* launches);
+  /// The tops in rows of four floats: their positions, or with backward Euler relative to their bases.
+  const cl::Buffer<float>& tops() const { return solver_.implicit ? reach_ : tip_; }
+  bool tops_on_skin() const { return !solver_.implicit; }  ///< tops() contains positions
   const LinearSolves& solves() const { return solves_; }
   std::size_t bytes() const;
   const cl::Program& program() const { return program_; }
@@ -161,6 +165,13 @@ class MassSprings {
   /// Throws InputError if the size is wrong or a force is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
 
+  /// After each later step, the colliders of `scene` push the tops. The step number i of a call of enqueue()
+  /// ends at the time number i of contact().
+  void collide(const cl::Queue& queue, const Scene& scene, const ContactFields& fields);
+  /// Returns the colliders; null without colliders.
+  ContactStage* contact() { return contact_ ? &contact_->stage : nullptr; }
+  const cl::Program* contact_program() const { return contact_ ? &contact_->program : nullptr; }
+
   /// Enqueues `substeps` steps. The call may wait for the upload of wind and motion, and waits for the queue
   /// whenever conjugate gradients test their residual. Appends the event of every launch to `launches` unless
   /// it is null.
@@ -186,8 +197,18 @@ class MassSprings {
 
  private:
   void upload_moments(const cl::Queue& queue, int substeps);
+  void launch_steps(const cl::Queue& queue, const TopologyParams& params, std::vector<cl::Event>* launches);
+  void launch_contact(const cl::Queue& queue, int time, std::vector<cl::Event>* launches);
   std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const;
 
+  struct Contact {
+    ContactStage stage;
+    cl::Program program;
+    cl::Kernel kernel;
+  };
+
+  int lanes_;
+  std::optional<Contact> contact_;
   Dynamics dynamics_;
   Layout layout_;
   TopologyParams params_;

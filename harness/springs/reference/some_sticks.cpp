@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "harness/contact/reference/colliders.hpp"
 #include "harness/error.hpp"
 #include "harness/scene/keyframes.hpp"
 #include "harness/springs/model/scene.hpp"
@@ -62,18 +63,36 @@ std::vector<std::uint32_t> spread(const SpringNetwork& network, std::size_t coun
   return found;
 }
 
+/// Moves the tops out of the colliders at a time, in s.
+void push_out(const FrameInput& input, const SpringNetwork& network, double time, reference::State& state) {
+  const pelage::reference::Colliders colliders(input.scene, input.contact_fields, time);
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    const std::size_t top = network.top(i);
+    const glm::dvec3 root = state.position[i];
+    const pelage::reference::Pushed pushed = colliders.push({state.position[top] - root, state.velocity[top]},
+                                                            root, glm::dvec3(network.normal[i]));
+    state.position[top] = root + pushed.place;
+    state.velocity[top] = pushed.velocity;
+  }
+}
+
 /// Moves a part of the sticks of `whole` by frames `first` to `first` + `frames` - 1 with the forces `scene`.
-reference::State moved_sticks(const SpringNetwork& whole, const Mesh& mesh, const SpringNetwork& part,
+reference::State moved_sticks(const SpringNetwork& whole, const FrameInput& input, const SpringNetwork& part,
                               const std::vector<std::uint32_t>& sticks, const DynamicsScene& scene,
                               reference::State state, int first, int frames) {
-  const std::vector<glm::vec3> push = pushes(whole, mesh, scene.poke);
+  const std::vector<glm::vec3> push = pushes(whole, *input.mesh, scene.poke);
   std::vector<glm::dvec3> own;
   if (!push.empty())
     for (const std::uint32_t stick : sticks) own.emplace_back(push[stick]);
   const Dynamics dynamics = dynamics_of(scene, part);
   const reference::System system{part, dynamics, std::move(own)};
-  return reference::after(system, std::move(state), long(first) * scene.substeps,
-                          long(frames) * scene.substeps);
+  const long begin = long(first) * scene.substeps, steps = long(frames) * scene.substeps;
+  if (!has_contact(input.scene.contact)) return reference::after(system, std::move(state), begin, steps);
+  for (long i = begin; i < begin + steps; ++i) {
+    state = reference::step(system, state, i);
+    push_out(input, part, double(i + 1) * double(scene.step), state);
+  }
+  return state;
 }
 
 }  // namespace
@@ -89,7 +108,7 @@ SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_
   SomeSticks some{spread(network, count), {}, {}};
   const SpringNetwork part = part_of(network, some.stick);
   const auto moved = [&](const DynamicsScene& forces, reference::State from, int first, int number) {
-    return moved_sticks(network, *input.mesh, part, some.stick, forces, std::move(from), first, number);
+    return moved_sticks(network, input, part, some.stick, forces, std::move(from), first, number);
   };
   reference::State state = reference::rest(part);
   if (!forces_change(scene) && !each)

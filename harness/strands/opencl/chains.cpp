@@ -92,6 +92,22 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, cl::PhaseEvents* even
   ChainParams p = params_;
   p.substeps = substeps;
   p.first_moment = int(steps_ - known_from_);
+  if (contact_) {
+    p.substeps = 1;
+    for (int i = 0; i < substeps; ++i, ++p.first_moment) {
+      launch(queue, p, events);
+      contact_->kernel.with(p, i, constants_, states_, contact_->stage.table(), contact_->stage.field());
+      cl::keep(events, "simulate",
+               contact_->kernel.enqueue(queue, std::size_t(p.slices) * std::size_t(16 / lanes_)));
+    }
+  } else {
+    launch(queue, p, events);
+  }
+  steps_ += substeps;
+}
+
+void Chains::launch(const cl::Queue& queue, const ChainParams& params, cl::PhaseEvents* events) {
+  ChainParams p = params;
   const std::size_t units = std::size_t(p.slices) * std::size_t(16 / lanes_);
   const std::size_t items = (units + std::size_t(p.units_per_item) - 1) / std::size_t(p.units_per_item);
   if (skin_) {
@@ -105,12 +121,18 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, cl::PhaseEvents* even
     frame_.with(p, moments_, constants_, states_, some_constants_, some_states_);
   }
   cl::keep(events, "simulate", (skin_ ? skin_->frame : frame_).enqueue(queue, items));
-  steps_ += substeps;
+}
+
+void Chains::collide(const cl::Queue& queue, const Scene& scene, const ContactFields& fields) {
+  cl::Program program(queue.device(), chain_contact_text(scene.contact, lanes_));
+  cl::Kernel kernel(program, "chain_contact");
+  contact_ = Contact{ContactStage(queue, scene, fields), std::move(program), std::move(kernel)};
 }
 
 std::vector<const cl::Program*> Chains::programs() const {
   std::vector<const cl::Program*> all{&program_, &key_program_};
   if (skin_) all.push_back(&skin_->program);
+  if (contact_) all.push_back(&contact_->program);
   return all;
 }
 

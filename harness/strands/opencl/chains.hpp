@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/cl/program.hpp"
+#include "harness/contact/opencl/contact_stage.hpp"
 #include "harness/strands/chain/chain.hpp"
 
 namespace pelage::strands {
@@ -40,6 +41,11 @@ class Chains {
   /// valid, or if ChainDynamics::body is not null.
   void set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinFrame& to, int substeps);
 
+  /// After each later step, the colliders of `scene` push the strands. The step number i of a call of
+  /// enqueue() ends at the time number i of contact(). The object and its skin must not move.
+  void collide(const cl::Queue& queue, const Scene& scene, const ContactFields& fields);
+  ContactStage* contact() { return contact_ ? &contact_->stage : nullptr; }  ///< null without colliders
+
   std::vector<ChainState> states(const cl::Queue& queue) const;
   /// Enqueues the conversion of the present states to key strands: KEY_RECORD floats each
   /// (kernels/strands/draw/params.h). The key strands are in the object's frame. With set_skin(), they are in
@@ -61,6 +67,14 @@ class Chains {
     long first_step = 0, last_step = 0;  ///< the frames are those of the steps first_step to last_step - 1
   };
 
+  struct Contact {
+    ContactStage stage;
+    cl::Program program;
+    cl::Kernel kernel;
+  };
+  void launch(const cl::Queue& queue, const ChainParams& params, cl::PhaseEvents* events);
+
+  std::optional<Contact> contact_;
   std::size_t strands_;
   std::vector<Chain> chains_;  ///< empty without ChainDynamics::body
   ChainDynamics dynamics_;

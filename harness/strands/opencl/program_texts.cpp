@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/cl/radix_sort.hpp"
+#include "harness/contact/opencl/contact_stage.hpp"
 #include "harness/error.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 #include "kernels/strands/draw/params.h"
@@ -87,6 +88,10 @@ cl::ProgramText chain_keys_text(int lanes) {
   return {"strands/draw/chain_keys.cl", fmt::format("-D LANES={}", lanes)};
 }
 
+cl::ProgramText chain_contact_text(const ContactScene& contact, int lanes) {
+  return {"strands/chain/contact.cl", fmt::format("-D LANES={}{}", lanes, contact_options(contact))};
+}
+
 std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const Scene& scene,
                                                const DrawerOptions& options) {
   const DrawerLayout layout = layout_of(device.info(), scene.image.width, scene.image.height, options);
@@ -102,6 +107,7 @@ std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const S
   add(picture_texts(kinds, layout, false, scene.strands.skin));
   if (kinds.shadow != Shadow::none) add(picture_texts(kinds, map_layout(layout), true, false));
   if (scene.strands.skin) texts.push_back(skin_text(kinds, layout.lanes));
+  if (has_contact(scene.contact)) texts.push_back(chain_contact_text(scene.contact, device.info().lanes));
   if (scene.mesh.frames > 1) texts.push_back(chain_text(dynamics, device.info().lanes, true));
   return texts;
 }

@@ -67,6 +67,9 @@ cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follow
 /// The program that converts chains to key strands.
 cl::ProgramText chain_keys_text(int lanes);
 
+/// The program that pushes strands out of the colliders.
+cl::ProgramText chain_contact_text(const ContactScene& contact, int lanes);
+
 /// Returns the programs that Strands will need for this scene, in the order of their first use. `device` is
 /// the device on which the scene is drawn. Throws InputError if an option is not valid.
 std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const Scene& scene,

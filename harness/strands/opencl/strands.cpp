@@ -20,6 +20,7 @@ Strands::Strands(const cl::Device& device, std::shared_ptr<const StrandInput> in
       input_(std::move(input)),
       chains_(queue_, input_->fur.chains, input_->dynamics),
       drawer_(queue_, *input_, input_->fur.strands, input_->fur.keys.size(), options) {
+  if (has_contact(input_->scene.contact)) chains_.collide(queue_, input_->scene, input_->contact_fields);
   if (input_->mesh->frames.empty()) return;
   skin_.emplace(input_->scene, input_->mesh, input_->fur, input_->skin);
   skin_->advance();
@@ -37,8 +38,9 @@ void Strands::follow_skin() {
 }
 
 void Strands::use_forces() {
-  if (!forces_change(input_->scene)) return;
   const int frame = int(chains_.steps() / input_->scene.dynamics.substeps);
+  if (ContactStage* contact = chains_.contact()) contact->set_frame(queue_, frame);
+  if (!forces_change(input_->scene)) return;
   chains_.set_forces(queue_, input_->fur.chains, dynamics_of_frame(*input_, frame));
 }
 

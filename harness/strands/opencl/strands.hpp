@@ -62,7 +62,7 @@ class Strands {
   std::vector<const cl::Program*> programs() const;
 
  private:
-  void use_forces();                   ///< sets the forces of the next step, if they have keyframes
+  void use_forces();                   ///< sets the colliders, and the forces if they have keyframes
   void move(cl::PhaseEvents* events);  ///< simulates a frame
 
   cl::Queue queue_;

@@ -291,6 +291,23 @@ State at_rest(const Chain& chain) {
   return state;
 }
 
+State pushed(const Chain& chain, const ChainDynamics& dynamics, const State& state,
+             const pelage::reference::Colliders& colliders) {
+  State next = state;
+  const double L = double(chain.length), l1 = L * double(dynamics.first_segment);
+  const auto push = [&](Vec start, Vec start_velocity, double length, Vec& way, Vec& rate) {
+    const pelage::reference::Pushed before{start + length * way, start_velocity + length * rate};
+    const pelage::reference::Pushed after = colliders.push(before, Vec(chain.root), Vec(chain.normal));
+    if (after.place == before.place && after.velocity == before.velocity) return;
+    const Vec segment = after.place - start;
+    if (glm::length(segment) > 1e-12) way = glm::normalize(segment);
+    rate = orthogonal((after.velocity - start_velocity) / length, way);
+  };
+  push(Vec(0), Vec(0), l1, next.u, next.a);
+  push(l1 * next.u, l1 * next.a, L - l1, next.w, next.b);
+  return next;
+}
+
 double energy(const Chain& chain, const ChainDynamics& dynamics, const State& state, double time) {
   const Model m = model_at(chain, dynamics, time);
   return kinetic(m, state.a, state.b) + potential(m, state.u, state.w);

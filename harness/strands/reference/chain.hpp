@@ -6,6 +6,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "harness/contact/reference/colliders.hpp"
 #include "harness/strands/chain/chain.hpp"
 
 namespace pelage::strands::reference {
@@ -42,6 +43,11 @@ State at_rest(const Chain& chain);
 /// and there must be no body.
 State step(const Chain& chain, const ChainDynamics& dynamics, const State& state, long number,
            const SkinPoint* skin = nullptr);
+
+/// Returns the state after colliders have pushed the joint and then the tip (docs/colliders.md). The object
+/// must not move.
+State pushed(const Chain& chain, const ChainDynamics& dynamics, const State& state,
+             const pelage::reference::Colliders& colliders);
 
 /// Returns the kinetic energy plus the potential energy at `time` in seconds. The potential energy contains
 /// the springs, gravity, the acceleration of the root, and the drag of the wind on a strand with the rates 0.

@@ -128,12 +128,28 @@ ChainDynamics chain_dynamics(const Scene& scene) {
   return dynamics;
 }
 
+namespace {
+
+/// Throws InputError if colliders and strands would move in different frames.
+void check_contact(const Scene& scene, const Mesh& mesh) {
+  if (!has_contact(scene.contact)) return;
+  const MotionScene& m = scene.dynamics.motion;
+  if (!mesh.frames.empty() || m.velocity != glm::vec3(0) || m.shake != glm::vec3(0) || m.spin != 0 ||
+      m.swing != 0)
+    throw InputError(
+        "contact: colliders push strands only on an object that stays; leave out dynamics.motion and mesh.frames");
+}
+
+}  // namespace
+
 std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
   if (!mesh || mesh->triangle.empty())
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   if (!mesh->frames.empty()) check_frames(scene);
+  check_contact(scene, *mesh);
   auto input = std::make_shared<StrandInput>();
   input->scene = scene;
+  input->contact_fields = contact_fields(scene.contact.mesh);
   const CoatTexture coat = kept_coat(*mesh, scene.coat);
   input->fur = kept_fur(*mesh, scene.strands, coat);
   if (scene.strands.skin)

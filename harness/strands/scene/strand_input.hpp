@@ -16,6 +16,7 @@ struct StrandInput : DrawingScene {
   std::shared_ptr<const Mesh> mesh;
   Fur fur;  ///< key strands at rest, the chains that move them, and the strands between them
   ChainDynamics dynamics;
+  ContactFields contact_fields;  ///< distances from the mesh contact.mesh
 };
 
 /// Computes the input of a picture of strands. The result depends only on the arguments and on the pictures

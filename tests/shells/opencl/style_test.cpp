@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "harness/compare/checks.hpp"
+#include "harness/compare/frame_output.hpp"
 #include "harness/compare/tolerances.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
@@ -114,7 +116,7 @@ TEST(MapOfTheLength, LimitsTheMovingStrands) {
   EXPECT_LT(shortest, 0.3f * longest);
 }
 
-// Tests colliders that push the fur (docs/shells.md, section 9) on the device.
+// Tests colliders that push the fur (docs/colliders.md) on the device.
 
 struct PressedFur : testing::TestWithParam<int> {};
 
@@ -130,8 +132,10 @@ TEST_P(PressedFur, LooksLikeTheReference) {
 INSTANTIATE_TEST_SUITE_P(Substeps, PressedFur, testing::Values(1));
 INSTANTIATE_TEST_SUITE_P(Full, PressedFur, testing::Values(4));
 
-TEST(Contact, MovesTheTipsOfTheReference) {
-  const auto input = pressed_fur();
+struct PressedTips : testing::TestWithParam<bool> {};  // true: the mesh turns and deforms
+
+TEST_P(PressedTips, AreTheReferences) {
+  const auto input = GetParam() ? kneaded_fur() : pressed_fur();
   Shells shells(device(), input);
   shells.advance(frames);
   std::vector<glm::vec3> expected;
@@ -146,11 +150,19 @@ TEST(Contact, MovesTheTipsOfTheReference) {
   EXPECT_GT(moved, 100u);
 }
 
+INSTANTIATE_TEST_SUITE_P(Contact, PressedTips, testing::Bool());
+
+TEST(Contact, WithAMeshThatTurnsAndDeformsLooksLikeTheReference) {
+  const auto input = kneaded_fur();
+  EXPECT_TRUE(drawn_alike(input, "tile"));
+  EXPECT_LT(compare(drawn_by_reference(*input), drawn_by_reference(*pressed_fur())).psnr, 60);
+}
+
 // The measure of the depth is the true distance for spheres and capsules, and the field for the mesh.
 TEST(Contact, LeavesNoLayerDeeperInsideThanOneSpacing) {
   const auto input = pressed_fur();
   const double time = reference::time_after(input->scene.dynamics, frames);
-  const reference::Colliders colliders(*input, time);
+  const reference::Colliders colliders(input->scene, input->contact_fields, time);
   const reference::Geometry geometry(*input, reference::wetness_mask(*input), frames);
   const auto free_input = long_fur();
   const reference::Geometry free(*free_input, reference::wetness_mask(*free_input), frames);
@@ -170,6 +182,38 @@ TEST(Contact, LeavesNoLayerDeeperInsideThanOneSpacing) {
   EXPECT_GT(deepest_before, 3 * spacing);
   EXPECT_GT(pushed, 500u);
   EXPECT_LT(deepest, 1e-3 * spacing);
+}
+
+// Colliders push sticks.
+struct PressedSticks : testing::TestWithParam<std::tuple<const char*, const char*>> {};  // topology, solver
+
+TEST_P(PressedSticks, AreTheReferences) {
+  const auto on_sticks = [](Scene& s) { std::tie(s.dynamics.topology, s.dynamics.solver) = GetParam(); };
+  const auto input = kneaded_fur(on_sticks);
+  Shells shells(device(), input), free(device(), long_fur(on_sticks));
+  shells.advance(frames);
+  free.advance(frames);
+  const std::vector<glm::vec3> tops = shells.tips(), free_tops = free.tips();
+  for (const Check& check : check_sticks(*input, frames, tops))
+    EXPECT_TRUE(check.holds()) << check.metric << " " << check.value;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < tops.size(); ++i) moved += glm::distance(tops[i], free_tops[i]) > 1e-2f;
+  EXPECT_GT(moved, 100u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Contact, PressedSticks,
+                         testing::Combine(testing::Values("sticks", "prisms", "separable-prisms"),
+                                          testing::Values("backward-euler", "rk4")));
+INSTANTIATE_TEST_SUITE_P(Euler, PressedSticks,
+                         testing::Values(std::tuple("prisms", "semi-implicit-euler"),
+                                         std::tuple("separable-sticks", "predictor-corrector")));
+
+TEST(Contact, WithSticksLooksLikeTheReference) {
+  const auto input = pressed_fur([](Scene& s) { s.dynamics.topology = "sticks"; });
+  Shells shells(device(), input);
+  shells.advance(frames - 1);
+  shells.frame();
+  EXPECT_TRUE(same(reference_output(*input, frames, false).image, shells.read()));
 }
 
 // The colliders arrive, push the fur, and disappear; the fur must return to rest.

@@ -284,7 +284,7 @@ TEST(OpenGlPicture, MistakesAreSeen) {
 }
 
 // Compares the OpenGL baseline's pictures of fur with maps (docs/shells.md, section 8) and with colliders
-// (docs/shells.md, section 9) with the reference. Also tests water that changes over time (section 10).
+// (docs/colliders.md) with the reference. Also tests water that changes over time (section 10).
 
 TEST(OpenGlStyle, LooksLikeTheReference) {
   const auto input = with_all_maps([](Scene&) {});
@@ -302,8 +302,8 @@ TEST(OpenGlStyle, MapsOfOneHalfAreHalfTheKeysBitForBit) {
 }
 
 TEST(OpenGlContact, LooksLikeTheReference) {
-  const auto input = pressed_fur();
-  EXPECT_TRUE(same(drawn_by_reference(*input), drawn_by_opengl(input)));
+  for (const auto& input : {pressed_fur(), kneaded_fur()})
+    EXPECT_TRUE(same(drawn_by_reference(*input), drawn_by_opengl(input)));
 }
 
 TEST(OpenGlWater, ANewMaskGivesThePictureOfAFreshScene) {
