@@ -90,7 +90,8 @@ double force_on(const Chain& chain, const ChainDynamics& d) {
 /// if the strand has touched no stop: e (2 sqrt(N) + 16 + 8 F/k), where e = 2^-24 is the relative rounding
 /// error, F = k1 + 2 k2 + |Gu| + |Gw| (docs/strands.md, section "Model"; force_on() is an upper bound) and
 /// k = min(k1, k2).
-/// - 2 sqrt(N): in each step, u+du and the Newton step of item 4 round a direction by sqrt(3) e. The errors of
+/// - 2 sqrt(N): in each step, u+du and the Newton step of item 4 round a direction by sqrt(3) e. The errors
+/// of
 ///   different steps are independent, so their sum grows with sqrt(N) (Higham and Mary, A New Approach to
 ///   Probabilistic Rounding Error Analysis, 2019).
 /// - 16: the rates have a relative error of up to 16 e, and a strand turns by at most about 1 rad in total.
@@ -101,9 +102,9 @@ double rounding_bound(const Chain& chain, const ChainDynamics& d, int steps) {
   return std::ldexp(2 * std::sqrt(double(steps)) + 16 + 8 * force_on(chain, d) / softer, -24);
 }
 
-/// The bound for strands that touch a stop. The computed gap of a stop is wrong by at most 1e-6, so the kinetic
-/// energy of a strand that meets a stop has an error of up to 1e-6 F. With this energy, the strand moves by
-/// h sqrt(2e-6 F/A) in a step.
+/// The bound for strands that touch a stop. The computed gap of a stop is wrong by at most 1e-6, so the
+/// kinetic energy of a strand that meets a stop has an error of up to 1e-6 F. With this energy, the strand
+/// moves by h sqrt(2e-6 F/A) in a step.
 double stop_bound(const Chain& chain, const ChainDynamics& d, int steps) {
   const double inertia = std::pow(double(d.first_segment), 2);
   return rounding_bound(chain, d, steps) + double(d.step) * std::sqrt(2e-6 * force_on(chain, d) / inertia);
