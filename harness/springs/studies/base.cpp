@@ -22,6 +22,10 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
     throw InputError(fmt::format(
         "{}: this pipeline does not draw, and uses no keyframes of forces; use shells or reference",
         which.name));
+  if (has_contact(scene.contact))
+    throw InputError(
+        fmt::format("{}: contact: this pipeline does not draw, and has no colliders; use shells or reference",
+                    which.name));
   return scene;
 }
 
