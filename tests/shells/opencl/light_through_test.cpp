@@ -12,6 +12,7 @@
 #include "harness/shells/reference/textures.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/opencl_as_cpp.hpp"
+#include "tests/support/style_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::in_double {
@@ -146,6 +147,12 @@ TEST(SelfShadows, OfFewAndOfManyLayersLookLikeTheReference) {
   auto input = shadowed(*small_frame("curling"));
   input->scene.blend.order = "depth";
   EXPECT_TRUE(drawn_alike(input, "group", 1000));
+}
+
+TEST(SelfShadows, OfMapsAndCollidersLookLikeTheReference) {
+  const auto traced = [](Scene& s) { s.shading.self_shadow = "traced"; };
+  EXPECT_TRUE(drawn_alike(style_scenes::with_all_maps(traced), "tile", 2000));
+  EXPECT_TRUE(drawn_alike(style_scenes::pressed_fur(traced), "tile", 2000));
 }
 
 TEST(SelfShadows, DifferAndAreSeen) {
