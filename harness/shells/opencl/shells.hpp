@@ -50,7 +50,8 @@ struct Tally {
   std::uint64_t blended = 0;
 };
 
-/// True if Shells::set_view() can change the scene key: the keys of the camera and of the shading, and the
+/// True if Shells::set_view() can change the scene key: the keys of the camera and of the shading (without
+/// shading.self_shadow), and the
 /// background.
 bool is_view_key(std::string_view key);
 

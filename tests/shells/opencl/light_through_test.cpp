@@ -173,6 +173,12 @@ TEST(SelfShadows, HaveTheSameBitsInAllTilesAndRuns) {
     EXPECT_TRUE(same_bits(first, drawn_with(input, {"tile", tuning})));
 }
 
+// Traced shadows need programs and buffers that a renderer of other shadows does not have.
+TEST(SelfShadows, AreNoPartOfTheView) {
+  EXPECT_TRUE(is_view_key("shading.shadow"));
+  EXPECT_FALSE(is_view_key("shading.self_shadow"));
+}
+
 TEST(SelfShadows, NeedLayersOfOneCurve) {
   Scene scene = synthetic::lively_scene();
   scene.shading.model = "lambert";
