@@ -110,6 +110,7 @@ cl::FrameTiming Shells::still() {
 }
 
 bool is_view_key(std::string_view key) {
+  if (key == "shading.self_shadow") return false;  // traced shadows need other programs and buffers
   return key.starts_with("camera.") || key.starts_with("shading.") || key == "image.background";
 }
 

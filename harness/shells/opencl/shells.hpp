@@ -50,8 +50,8 @@ struct Tally {
   std::uint64_t blended = 0;
 };
 
-/// True if Shells::set_view() can change the scene key: the keys of the camera and of the shading, and the
-/// background.
+/// True if Shells::set_view() can change the scene key: the keys of the camera and of the shading (without
+/// shading.self_shadow), and the background.
 bool is_view_key(std::string_view key);
 
 /// A scene on an OpenCL device. The constructor uploads the scene, builds the kernels and computes the

@@ -12,6 +12,7 @@
 #include "harness/shells/reference/textures.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/opencl_as_cpp.hpp"
+#include "tests/support/style_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage::in_double {
@@ -148,6 +149,12 @@ TEST(SelfShadows, OfFewAndOfManyLayersLookLikeTheReference) {
   EXPECT_TRUE(drawn_alike(input, "group", 1000));
 }
 
+TEST(SelfShadows, OfMapsAndCollidersLookLikeTheReference) {
+  const auto traced = [](Scene& s) { s.shading.self_shadow = "traced"; };
+  EXPECT_TRUE(drawn_alike(style_scenes::with_all_maps(traced), "tile", 2000));
+  EXPECT_TRUE(drawn_alike(style_scenes::pressed_fur(traced), "tile", 2000));
+}
+
 TEST(SelfShadows, DifferAndAreSeen) {
   const auto input = small_frame("curling");
   const Picture traced = drawn_by_device(shadowed(*input), "tile"),
@@ -164,6 +171,12 @@ TEST(SelfShadows, HaveTheSameBitsInAllTilesAndRuns) {
   for (const std::map<std::string, int>& tuning :
        {std::map<std::string, int>{}, {{"TILE_W", 8}, {"TILE_H", 8}, {"GROUP", 5}}, {{"GROUP", 1}}})
     EXPECT_TRUE(same_bits(first, drawn_with(input, {"tile", tuning})));
+}
+
+// Traced shadows need programs and buffers that a renderer of other shadows does not have.
+TEST(SelfShadows, AreNoPartOfTheView) {
+  EXPECT_TRUE(is_view_key("shading.shadow"));
+  EXPECT_FALSE(is_view_key("shading.self_shadow"));
 }
 
 TEST(SelfShadows, NeedLayersOfOneCurve) {
