@@ -62,7 +62,7 @@ const std::vector<Bad> scenes = {
     {"diagram fly", "fly"},
     {"diagram curl -o nowhere/a.csv", "nowhere"},
     {"scene missing.toml", "missing.toml: there is no such scene file"},
-    {"scene wet-curlz", "(examples: contact, dry, elephant, figures, grass, grass-parting,"},
+    {"scene wet-curlz", "(examples: contact, dry, elephant, figures, grass, grass-closing,"},
     {"scene nowhere/wet.toml", "nowhere/wet.toml: there is no such scene file"},
     {"run typo.toml -o r", "typo.toml: is not an experiment, because it has neither a name nor axes"},
     {"run silva2010-table1 --model gone.obj --dry-run", "gone.obj: neither a file nor a model"},

@@ -74,7 +74,7 @@ TEST_F(Diagrams, SectionsAreTablesAndPlots) {
   const Outcome table = done("diagram shape --set fur.layers=4");
   EXPECT_EQ(table.out.substr(0, table.out.find('\n')), "w,h,f");
   EXPECT_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 1 + 5 * 4);
-  for (const char* kind : {"shape", "clump", "curl", "layers"}) {
+  for (const char* kind : {"shape", "clump", "curl", "layers", "path"}) {
     const std::string name = kind;
     done(fmt::format("diagram {0} --model torus --set fur.layers=4 --set curl.radius=0.02 -o {0}.svg", name));
     expect_has(folder.read(name + ".svg"), "<svg");

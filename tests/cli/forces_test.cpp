@@ -57,6 +57,16 @@ TEST_F(ForceFrames, AreRefusedIfTheyPointNowhere) {
   done("animate " + scene + "-o f --to 0.4");
 }
 
+TEST_F(ForceFrames, OnStrandsNeedDragAtTheTimeOfThePicture) {
+  folder.write("forces.toml",
+               "pipeline = \"strands\"\nstrands.layer = [{ count = 300, length = 0.2 }]\n[keyframes]\n"
+               "\"strands.chain.drag\" = [[0.0, 1.0], [1.0, 0.0]]\n"
+               "\"dynamics.wind.strength\" = [[0.0, 0.03], [0.9, 0.0]]\n");
+  done("render " + scene + "--set dynamics.time=0.9 -o one.png");
+  expect_refused(pelage("render " + scene + "--set dynamics.time=1 -o one.png"),
+                 "dynamics.wind.strength: the wind has no effect on strands without drag", true);
+}
+
 TEST_F(ForceFrames, MakeAPathThatReturns) {
   const std::string wind =
       "[keyframes]\n\"dynamics.wind.strength\" = [[0.0, 0.03], [1.0, 0.03], [1.001, 0.0]]\n";

@@ -4,6 +4,8 @@
 
 TABLE.csv is a table that `pelage diagram` or `pelage water` writes.
 """
+import math
+
 import matplotlib.pyplot as plt
 import style
 
@@ -125,13 +127,15 @@ def mark_displacement(axis, rows):
 
 
 def draw_path(rows):
-    """Draws the path of a tip, with a line from the root at six times of its motion, and the tip's distance from its
-    position at rest."""
+    """Draws the path of a tip, with lines from the root to places that are not near each other and the times at which the
+    tip first was there, and the tip's distance from its position at rest."""
     figure, (path, time) = plt.subplots(1, 2, figsize=(7.2, 3.0), constrained_layout=True)
     path.plot(column(rows, "x"), column(rows, "y"), color=style.COLOURS[0], linewidth=1.0)
-    moving = [row for row in rows if row["apart"] > 0.02] or rows
-    for i in range(6):
-        row = moving[(len(moving) - 1) * i // 5]
+    reach, shown = 0.2 * max(math.hypot(row["x"], row["y"]) for row in rows), []
+    for row in rows:
+        if any(math.hypot(row["x"] - other["x"], row["y"] - other["y"]) < reach for other in shown):
+            continue
+        shown.append(row)
         path.plot([0, row["x"]], [0, row["y"]], color="0.7", linewidth=0.8)
         path.annotate(f"{row['t']:.3g} s", (row["x"], row["y"]), xytext=(2, 2), textcoords="offset points", fontsize=7)
     path.plot([rows[0]["rest_x"]], [rows[0]["rest_y"]], "o", color="#D00000", markersize=4, label="at rest")

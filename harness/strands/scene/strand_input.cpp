@@ -112,6 +112,17 @@ Look look_of(const Scene& scene) {
   return look;
 }
 
+namespace {
+
+springs::Wind wind_on_chains(const DynamicsScene& dynamics, float drag) {
+  if (dynamics.wind.strength > 0 && !(drag > 0))
+    throw InputError(
+        "dynamics.wind.strength: the wind has no effect on strands without drag; give strands.chain.drag above 0");
+  return springs::wind_of(dynamics.wind, dynamics.mass * drag);
+}
+
+}  // namespace
+
 ChainDynamics chain_dynamics(const Scene& scene) {
   const DynamicsScene& d = scene.dynamics;
   const ChainScene& chain = scene.strands.chain;
@@ -123,7 +134,7 @@ ChainDynamics chain_dynamics(const Scene& scene) {
   dynamics.damping_first = chain.damping;
   dynamics.damping_second = chain.damping_joint;
   dynamics.gravity = d.gravity;
-  dynamics.wind = springs::wind_of(d.wind, d.mass * chain.drag);
+  dynamics.wind = wind_on_chains(d, chain.drag);
   dynamics.motion = springs::motion_of(d.motion);
   return dynamics;
 }
@@ -190,7 +201,7 @@ ChainDynamics dynamics_of_frame(const StrandInput& input, int frame) {
   if (!forces_change(input.scene)) return dynamics;
   const DynamicsScene forces = pelage::dynamics_of_frame(input.scene, frame);
   dynamics.gravity = forces.gravity;
-  dynamics.wind = springs::wind_of(forces.wind, forces.mass * dynamics.drag);
+  dynamics.wind = wind_on_chains(forces, dynamics.drag);
   return dynamics;
 }
 
