@@ -110,7 +110,12 @@ Scene resolve_scene(const SceneOptions& options, std::string_view pipeline) {
     scene = case_scene(options.file, options.case_name);
   else if (!options.file.empty())
     scene = read_scene(scene_file(options.file));
-  if (!options.reading.empty()) apply_reading(scene, options.reading, pipeline);
+  if (!options.reading.empty()) {
+    // --set overrides keys of the reading, but also says which paper's method draws the scene.
+    Scene drawn = scene;
+    for (const std::string& assignment : options.set) apply_set(drawn, assignment);
+    apply_reading(scene, options.reading, reading_of(drawn, pipeline));
+  }
   if (!options.model.empty()) apply_set(scene, "model=" + options.model, "--model");
   if (!options.up.empty()) apply_set(scene, "mesh.up=" + options.up, "--up");
   for (const std::string& assignment : options.set) apply_set(scene, assignment);

@@ -89,15 +89,14 @@ void read_lights(Scene& scene, const PaperReading& reading) {
   scene.shading.lights.front().intensity = 1;
 }
 
-void apply_reading(Scene& scene, std::string_view reading, std::string_view pipeline) {
+void apply_reading(Scene& scene, std::string_view reading, const PaperReading& paper) {
   if (std::ranges::find(reading_names, reading) == reading_names.end())
     throw InputError(
         fmt::format("reading '{}' is unknown (known: {})", reading, fmt::join(reading_names, ", ")));
   if (reading == "pelage") return;
-  const PaperReading& read = reading_of(scene, pipeline);
-  for (const ReadingKey& key : read.keys)
+  for (const ReadingKey& key : paper.keys)
     apply_set(scene, fmt::format("{}={}", key.name, key.paper), "--reading");
-  read_lights(scene, read);
+  read_lights(scene, paper);
 }
 
 }  // namespace pelage

@@ -36,9 +36,8 @@ const PaperReading& reading_of(const Scene& scene, std::string_view pipeline);
 /// Leaves only the first light of the scene, with the intensity 1, if the paper has one light.
 void read_lights(Scene& scene, const PaperReading& reading);
 
-/// Gives the lights and the keys of reading_of() the values of the reading `paper`. The reading `pelage`
-/// changes nothing, because keys that a scene does not set have its values. Throws InputError for another
-/// name.
-void apply_reading(Scene& scene, std::string_view reading, std::string_view pipeline);
+/// Gives the lights and the keys of the paper the values of the reading `paper`. The reading `pelage` changes
+/// nothing, because keys that a scene does not set have its values. Throws InputError for another name.
+void apply_reading(Scene& scene, std::string_view reading, const PaperReading& paper);
 
 }  // namespace pelage

@@ -50,7 +50,7 @@ TEST(Readings, ThePapersOfSilvaHaveUprightFurAndPlainLight) {
     scene.shading.model = model;
     scene.soaked.threshold = .5f;
     scene.fur.comb_noise = .3f;
-    apply_reading(scene, "paper", {});
+    apply_reading(scene, "paper", reading_of(scene, {}));
     EXPECT_NO_THROW(check_scene(scene));
     EXPECT_EQ(scene.shading.model, model);
     EXPECT_EQ(scene.fur.comb, 0);
@@ -74,19 +74,19 @@ TEST(Readings, PelageAndScenesOfTheirOwn) {
       "fur.comb = 0.3\nfur.length = 0.2\n[keyframes]\n\"shading.wrap\" = [[0.0, 0.1], [1.0, 0.9]]\n",
       "s.toml");
   Scene read = scene;
-  apply_reading(read, "pelage", {});
+  apply_reading(read, "pelage", reading_of(read, {}));
   EXPECT_EQ(scene_hash(read), scene_hash(scene));
-  apply_reading(read, "paper", {});
+  apply_reading(read, "paper", reading_of(read, {}));
   EXPECT_EQ(read.fur.length, .2f);  // the paper leaves it open
   EXPECT_EQ(scene_at(read, .5).shading.wrap, 0);
-  EXPECT_THROW(apply_reading(read, "loose", {}), InputError);
+  EXPECT_THROW(apply_reading(read, "loose", reading_of(read, {})), InputError);
 }
 
 TEST(Readings, EveryExampleCanBeReadAsThePaper) {
   for (const auto& entry : fs::directory_iterator(fs::path(PELAGE_SOURCE_DIR) / "examples")) {
     if (entry.path().extension() != ".toml") continue;
     Scene scene = read_scene(entry.path());
-    apply_reading(scene, "paper", {});
+    apply_reading(scene, "paper", reading_of(scene, {}));
     EXPECT_NO_THROW(check_scene(scene)) << entry.path();
   }
 }
