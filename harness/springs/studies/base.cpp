@@ -22,6 +22,10 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
     throw InputError(fmt::format(
         "{}: this pipeline does not draw, and uses no keyframes of forces; use shells or reference",
         which.name));
+  if (scene.mesh.frames > 1)
+    throw InputError(fmt::format(
+        "{}: mesh.frames: this pipeline does not draw, and needs a mesh that does not deform; give 1",
+        which.name));
   return scene;
 }
 
