@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "harness/prepare/moving_skin.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "harness/shells/reference/strands.hpp"
@@ -40,7 +41,8 @@ FrameOutput reference_output(const FrameInput& input, int frames, bool eight_bit
   options.frames = frames;
   options.eight_bit = eight_bit;
   if (has_springs(input.scene.dynamics)) options.sticks.assign(output.tips.begin(), output.tips.end());
-  output.image = reference::render(input, options);
+  const std::shared_ptr<const FrameInput> shared(std::shared_ptr<void>(), &input);  // does not own the input
+  output.image = reference::render(*with_skin(shared, frames - 1), options);
   return output;
 }
 

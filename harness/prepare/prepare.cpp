@@ -27,11 +27,14 @@ std::vector<glm::vec3> points_of(const FrameInput& input, const Mesh& mesh, cons
   auto points = has_springs(scene.dynamics) ? rest_tips(skin, input.stick_normal, scene.fur.length)
                                             : rest_tips(skin, input.strands);
   points.insert(points.end(), mesh.position.begin(), mesh.position.end());
+  for (const std::vector<glm::vec3>& frame : mesh.frames)
+    points.insert(points.end(), frame.begin(), frame.end());
   return points;
 }
 
 Camera camera_of(const Scene& scene, const Style& style, std::span<const glm::vec3> points) {
-  return make_camera(scene.camera, scene.image, points, most_curl_radius(scene.curl, style));
+  const float margin = scene.mesh.frames > 1 ? scene.fur.length : 0;
+  return make_camera(scene.camera, scene.image, points, margin + most_curl_radius(scene.curl, style));
 }
 
 /// Returns the keys that the fur texture depends on. Hairs are widened for the longest strands.
@@ -40,6 +43,20 @@ FurScene of_texture(FurScene fur, const Style& style) {
   fur.density = FurScene{}.density;
   fur.length_map = fur.density_map = fur.comb_map = std::filesystem::path();
   return fur;
+}
+
+/// Throws InputError if layers cannot follow the frames of the mesh.
+void check_frames(const Scene& scene, Deforming deforming) {
+  if (deforming == Deforming::refused)
+    throw InputError("mesh.frames: this command or pipeline needs a mesh that does not deform; give 1");
+  if (!has_springs(scene.dynamics))
+    throw InputError(
+        "mesh.frames: layers follow the frames of a mesh on sticks only; give dynamics.topology = \"sticks\" or another mass-spring topology, or a pipeline that draws strands");
+  const MotionScene still, &m = scene.dynamics.motion;
+  if (m.velocity != still.velocity || m.shake != still.shake || m.spin != still.spin ||
+      m.swing != still.swing)
+    throw InputError(
+        "dynamics.motion: the frames of the mesh (mesh.frames) contain the motion, so the object must not move; leave out dynamics.motion");
 }
 
 }  // namespace
@@ -56,14 +73,14 @@ std::shared_ptr<const FrameInput> with_view(const FrameInput& input, const Scene
   return changed;
 }
 
-std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
+std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh,
+                                          Deforming deforming) {
   if (!mesh || mesh->triangle.empty())
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   if (has_chains(scene.dynamics))
     throw InputError(
         "dynamics.topology: \"chains\" is the motion of single strands; use a pipeline that draws strands, or give another topology");
-  if (!mesh->frames.empty())
-    throw InputError("mesh.frames: only pipelines that draw strands follow the frames of a mesh; give 1");
+  if (!mesh->frames.empty()) check_frames(scene, deforming);
   auto input = std::make_shared<FrameInput>();
   const Skin skin = weld(*mesh);
   input->style = make_style(*mesh, skin, scene);

@@ -9,10 +9,16 @@
 
 namespace pelage {
 
+/// Whether prepare() accepts a mesh that deforms.
+enum class Deforming { refused, followed };
+
 /// Computes all arrays of the frame's input, such as the strands, the fur texture, the droplets and the
 /// camera. The result depends only on the arguments and on the pictures that the scene names. Throws
-/// InputError if the mesh has no triangles or a picture cannot be read.
-std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh);
+/// InputError if the mesh has no triangles or a picture cannot be read. The surface of a mesh that deforms is
+/// that of its first frame (moving_skin.hpp has the others), and the camera shows all frames; with
+/// Deforming::refused, such a mesh is an InputError.
+std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh,
+                                          Deforming deforming = Deforming::refused);
 
 /// Returns the points that a camera with camera.framed shows: the surface and the tips of the fur at rest, in
 /// R. They do not depend on the camera.

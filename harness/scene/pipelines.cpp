@@ -19,8 +19,7 @@ bool listed(std::string_view key, const std::string_view (&list)[N]) {
 }
 
 bool shells_ignore(std::string_view key, const Scene& scene) {
-  static constexpr std::string_view strands[] = {"strands.", "mesh.after_frames"};
-  if (listed(key, strands)) return true;
+  if (key.starts_with("strands.")) return true;
   // Only mass-spring topologies use these keys.
   static constexpr std::string_view springs[] = {"dynamics.springs.", "dynamics.poke.",
                                                  "dynamics.motion.",  "dynamics.bend_power",

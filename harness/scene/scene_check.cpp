@@ -171,6 +171,8 @@ void check_pushed(const Scene& scene, const std::string& source) {
   const MotionScene& m = d.motion;
   if (m.velocity != glm::vec3(0) || m.shake != glm::vec3(0) || m.spin != 0 || m.swing != 0)
     refuse("colliders need an object that stays; leave out dynamics.motion");
+  if (scene.mesh.frames > 1)
+    refuse("colliders push sticks only on a mesh that does not deform; give mesh.frames = 1");
   if (d.tolerance != 0) refuse("colliders need steps of equal length; give dynamics.tolerance = 0");
   if (!springs::solver_of(d.solver).newton)
     refuse(fmt::format("colliders do not push the sticks of the solver {}; give another dynamics.solver",

@@ -149,7 +149,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
       {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z"},
       {.name = "mesh.components", .slot = &mesh.components, .unit = "", .help = "components of a mesh file that are kept: \"all\" keeps every component that is closed or large, each with its own chart in the UV map; \"largest\" keeps the component with the most faces", .choices = {"all", "largest"}},
-      {"mesh.frames", &mesh.frames, "", 1, most_mesh_frames, "number of frames of a mesh that moves and deforms, for strands; the model is then the mesh file of the first frame, the number in its name counts up, and a new frame begins every dynamics.substeps time steps; 1: the mesh does not deform"},
+      {"mesh.frames", &mesh.frames, "", 1, most_mesh_frames, "number of frames of a mesh that moves and deforms, for strands and for layers on sticks; the model is then the mesh file of the first frame, the number in its name counts up, and a new frame begins every dynamics.substeps time steps; 1: the mesh does not deform"},
       {.name = "mesh.after_frames", .slot = &mesh.after_frames, .unit = "", .help = "what follows after the last frame: \"hold\" keeps the last frame, \"repeat\" begins again with the first frame", .choices = {"hold", "repeat"}},
 
       {"fur.length", &fur.length, "R", 0.001, 1, "strand length L0"},

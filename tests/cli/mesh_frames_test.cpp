@@ -1,4 +1,4 @@
-// Tests strands on a mesh that moves and deforms (scene key mesh.frames).
+// Tests strands, and layers on sticks, on a mesh that moves and deforms (scene key mesh.frames).
 #include <cmath>
 #include <numbers>
 
@@ -48,6 +48,13 @@ Picture drawn(const Folder& folder, const std::string& options) {
 
 struct MeshFrames : InFolder {};
 
+/// Options for layers on sticks of a topology, in wind.
+std::string layers(const std::string& topology) {
+  return fmt::format(
+      "--set dynamics.topology={} --set fur.length=0.2 --set fur.layers=8 --set dynamics.drag=0.004 --set dynamics.wind.strength=0.01 --set dynamics.gravity=[0,-9.81,0] ",
+      topology);
+}
+
 TEST_F(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
   write_frames(folder);
   const Picture rest = drawn(folder, "--pipeline strands --set mesh.frames=1 --set dynamics.time=0.08");
@@ -63,6 +70,32 @@ TEST_F(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
   const Picture repeated =
       drawn(folder, "--pipeline strands --set dynamics.time=0.5 --set mesh.after_frames=repeat");
   EXPECT_LT(compare(held, repeated).psnr, 35);
+}
+
+TEST_F(MeshFrames, LayersOnSticksFollowThem) {
+  write_frames(folder);
+  for (const char* topology : {"sticks", "prisms", "separable-sticks", "separable-prisms"}) {
+    const std::string options = layers(topology);
+    const Picture rest = drawn(folder, options + "--set mesh.frames=1 --set dynamics.time=0.08");
+    for (const char* time : {"0", "0.08", "0.5"}) {
+      const std::string at = fmt::format("{} --set dynamics.time={}", options, time);
+      const Agreement found = compare(drawn(folder, at), drawn(folder, at + " --pipeline reference"));
+      EXPECT_TRUE(within(found)) << topology << ", " << time << " s: " << found.psnr << " dB";
+    }
+    EXPECT_LT(compare(drawn(folder, options + "--set dynamics.time=0.08"), rest).psnr, 35) << topology;
+  }
+  // Curls with the tangents of each frame, drops on the skin, and a wind that keyframes change.
+  const std::string all =
+      layers("prisms") +
+      "--set curl.radius=0.02 --set curl.turns=2 --set fur.substeps=2 --set wetness.random=12 --set wetness.radius=0.08 --set dynamics.wind.gust=0.4 --set dynamics.time=0.08 ";
+  const Agreement found = compare(drawn(folder, all), drawn(folder, all + "--pipeline reference"));
+  EXPECT_TRUE(within(found)) << found.psnr << " dB";
+  folder.write("gusts.toml", folder.read("scene.toml") +
+                                 "keyframes.\"dynamics.wind.strength\" = [[0.0, 0.0], [0.1, 0.03]]\n");
+  const std::string gusts = "render gusts.toml --set dynamics.topology=sticks --set dynamics.time=0.08 ";
+  done(gusts + "-o a.exr");
+  done(gusts + "-o b.exr --pipeline reference");
+  EXPECT_TRUE(within(compare(read_picture(folder.path / "a.exr"), read_picture(folder.path / "b.exr"))));
 }
 
 TEST_F(MeshFrames, TheFirstPictureShowsTheFirstFile) {
@@ -84,9 +117,10 @@ TEST_F(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
   write_frames(folder);
   folder.write(
       "mine.toml",
-      "name = \"mine\"\n[axes]\nmodel = [\"body-7.obj\"]\nvariant = [\"strands\"]\n[scene]\nfile = \"scene.toml\"\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = 0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
+      "name = \"mine\"\n[axes]\nmodel = [\"body-7.obj\"]\nvariant = [\"strands\"]\n[scene]\nfile = \"scene.toml\"\n[variant.strands]\npipeline = \"strands\"\n[variant.layers]\npipeline = \"shells\"\ndynamics.topology = \"sticks\"\nfur.length = 0.2\n[preset.quick]\nwarm_up_s = 0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
   done("run mine.toml -o rows");
   done("run mine.toml --resume rows");
+  done("run mine.toml -o layers --axis variant=layers");
   folder.write("body-12.obj", body(0.5));
   expect_refused(pelage("run mine.toml --resume rows"), "mesh", true);
 }
@@ -94,7 +128,8 @@ TEST_F(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
 TEST_F(MeshFrames, ContradictionsAreRefused) {
   write_frames(folder);
   const std::pair<const char*, const char*> refused[] = {
-      {"--set dynamics.topology=silva", "only pipelines that draw strands"},
+      {"--set dynamics.topology=silva", "on sticks only"},
+      {"--set dynamics.topology=sticks --set dynamics.motion.spin=1", "must not move"},
       {"--pipeline strands --set mesh.frames=7", "body-13.obj"},
       {"--pipeline strands --model torus", "is no mesh file"},
       {"--pipeline strands --set dynamics.motion.velocity=[1,0,0]", "must not move"},
@@ -108,6 +143,11 @@ TEST_F(MeshFrames, AnAnimationHasThePicturesOfRender) {
   write_frames(folder);
   // Frames of the mesh last 1/60 s, so the animation skips some frames of the mesh.
   EXPECT_EQ(expect_rendered_frames(folder, "scene.toml --pipeline strands --size 64x48", 0, 40, 5), 5u);
+}
+
+TEST_F(MeshFrames, AnAnimationOfLayersHasThePicturesOfRender) {
+  write_frames(folder);
+  EXPECT_EQ(expect_rendered_frames(folder, "scene.toml --size 64x48 " + layers("prisms"), 0, 40, 5), 5u);
 }
 
 }  // namespace

@@ -141,6 +141,12 @@ void RasterStage::use_mask(const cl::Queue& queue, cl::PhaseEvents* events) {
   if (reach_) reach_->run(queue, params_, uv_, buffers_, events);
 }
 
+void RasterStage::set_skin(const cl::Queue& queue, const Geometry& geometry) {
+  buffers_.vertex.write(queue, geometry.vertex);
+  buffers_.tangent.write(queue, geometry.tangent);
+  use_mask(queue, nullptr);
+}
+
 std::vector<const cl::Program*> RasterStage::programs() const {
   std::vector<const cl::Program*> all = mapping_->programs();
   all.push_back(&geometry_);

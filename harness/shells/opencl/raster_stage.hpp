@@ -75,6 +75,8 @@ class RasterStage {
   /// number of layers in which each triangle is drawn. The constructor calls this function. Call it again
   /// when the mask has changed. The phase of the kernels is "wet".
   void use_mask(const cl::Queue& queue, cl::PhaseEvents* events);
+  /// Draws the following frames with the surface of `geometry`, of the same mesh.
+  void set_skin(const cl::Queue& queue, const Geometry& geometry);
   /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
   /// until the next call of frame(), because count() and tally() read it again.
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, cl::PhaseEvents* events);

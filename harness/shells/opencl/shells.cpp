@@ -1,8 +1,10 @@
 #include "harness/shells/opencl/shells.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
+#include "harness/prepare/moving_skin.hpp"
 #include "harness/shells/opencl/raster_stage.hpp"
 #include "harness/shells/opencl/simulate_stage.hpp"
 
@@ -18,6 +20,8 @@ struct Shells::State {
   shells::WetStage wet;
   shells::RasterStage raster;
   int frames = 0;
+  int followed = -1,
+      shown = -1;  // numbers of the frames on whose skins the sticks stand and the layers are drawn
 
   State(const cl::Device& device, std::shared_ptr<const FrameInput> from, const ShellOptions& options)
       : queue(device),
@@ -27,10 +31,25 @@ struct Shells::State {
         wet(queue, *input, options.tuning),
         raster(queue, *input, geometry, wet, options) {
     if (has_springs(input->scene.dynamics))
-      springs.emplace(queue, *input, geometry, lanes);
+      springs.emplace(queue, input, geometry, lanes);
     else
       simulate.emplace(queue, *input, geometry, lanes, options.tuning);
     raster.collide_with(springs ? springs->contact() : simulate->contact());
+  }
+
+  /// Places the sticks on the skin of frame number `number`, if the skin deforms.
+  void follow_skin(int number) {
+    if (input->mesh->frames.empty() || followed == number) return;
+    springs->follow_skin(queue, number);
+    followed = number;
+  }
+
+  /// Draws the following pictures on the skin of frame number `number`, if the skin deforms.
+  void show_skin(int number) {
+    if (input->mesh->frames.empty() || shown == number) return;
+    raster.set_skin(queue, shells::lay_out(skin_of_frame(*input, number), lanes));
+    queue.finish();
+    shown = number;
   }
 
   /// Computes the mask of the picture after `shown` frames, if the water changes over time.
@@ -82,8 +101,14 @@ Shells::~Shells() = default;
 Shells::Shells(Shells&&) noexcept = default;
 Shells& Shells::operator=(Shells&&) noexcept = default;
 
+void Shells::follow_skin() {
+  state_->follow_skin(state_->frames);
+  state_->show_skin(state_->frames);
+}
+
 cl::FrameTiming Shells::frame() {
   State& s = *state_;
+  follow_skin();
   const cl::FrameTiming timing = cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) {
     s.wet_mask(s.frames + 1, &events);
     s.move(&events);
@@ -96,13 +121,17 @@ cl::FrameTiming Shells::frame() {
 
 void Shells::advance(int frames) {
   State& s = *state_;
-  for (int i = 0; i < frames; ++i, ++s.frames) s.move(nullptr);
+  for (int i = 0; i < frames; ++i, ++s.frames) {
+    s.follow_skin(s.frames);
+    s.move(nullptr);
+  }
   s.queue.finish();
   if (s.springs) s.springs->check(s.queue);
 }
 
 cl::FrameTiming Shells::still() {
   State& s = *state_;
+  s.show_skin(std::max(s.frames - 1, 0));
   return cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) {
     s.wet_mask(s.frames, &events);
     s.draw(&events);

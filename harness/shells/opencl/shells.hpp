@@ -65,6 +65,9 @@ class Shells {
   Shells(Shells&&) noexcept;
   Shells& operator=(Shells&&) noexcept;
 
+  /// Places the fur on the skin of the next frame, if the skin deforms. frame() calls this function if the
+  /// caller has not; its time does not contain it.
+  void follow_skin();
   // frame() and advance() throw springs::Diverged if masses of a mass-spring topology have diverged.
   cl::FrameTiming frame();   ///< simulates, draws and times one frame
   void advance(int frames);  ///< simulates `frames` frames without drawing

@@ -11,6 +11,7 @@
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/geometry.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
+#include "harness/springs/model/scene.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "kernels/rasterize/params.h"
 #include "kernels/simulate/params.h"
@@ -55,7 +56,11 @@ class SimulateStage {
 /// R. Velocities are in R per second.
 class SpringStage {
  public:
-  SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
+  SpringStage(const cl::Queue& queue, std::shared_ptr<const FrameInput> input, const Geometry& geometry,
+              int lanes);
+  /// Places the sticks on the skin of frame number `number`, if the skin deforms. Call it before
+  /// frame(number).
+  void follow_skin(const cl::Queue& queue, int number);
   /// Advances the masses by frame number `number`, counted from 0, in dynamics.substeps steps. If
   /// dynamics.tolerance is above 0, the steps have adaptive length instead.
   void frame(const cl::Queue& queue, int number, cl::PhaseEvents* events);
@@ -75,15 +80,17 @@ class SpringStage {
   std::vector<const cl::Program*> programs() const;
 
  private:
-  /// What a scene with keyframes of forces needs in every frame.
-  struct Forces {
-    Scene scene;
-    std::shared_ptr<const Mesh> mesh;
-    springs::SpringNetwork network;
-  };
+  void push(const cl::Queue& queue, const DynamicsScene& scene);
 
+  std::shared_ptr<const FrameInput> input_;  ///< with the skin at rest
   springs::MassSprings masses_;
-  std::optional<Forces> forces_;
+  /// What a scene with keyframes of forces, or with a skin that deforms, needs in every frame: the sticks at
+  /// rest, and those of the last frame. `velocity` is empty if the skin does not deform.
+  struct Sticks {
+    springs::SpringNetwork rest;
+    springs::MovedSticks now;
+  };
+  std::optional<Sticks> sticks_;
   cl::Program program_;
   cl::Kernel tips_;
   cl::Buffer<std::int32_t> stick_;

@@ -27,26 +27,50 @@ std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geom
 
 }  // namespace
 
-SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes)
-    : masses_(at_rest(queue, input, lanes)),
+SpringStage::SpringStage(const cl::Queue& queue, std::shared_ptr<const FrameInput> input,
+                         const Geometry& geometry, int lanes)
+    : input_(std::move(input)),
+      masses_(at_rest(queue, *input_, lanes)),
       program_(queue.device(), sticks_text(lanes)),
       tips_(program_, "stick_tips"),
       stick_(queue, std::span<const std::int32_t>(columns(masses_, geometry))),
       tip_(queue.device(), 3 * std::size_t(geometry.vertices)),
-      substeps_(input.scene.dynamics.substeps),
+      substeps_(input_->scene.dynamics.substeps),
       lanes_(lanes),
-      level_(input.scene.dynamics.bend == "tangent") {
-  const DynamicsScene& scene = input.scene.dynamics;
-  if (forces_change(input.scene)) forces_ = {input.scene, input.mesh, springs::network_of(input)};
+      level_(input_->scene.dynamics.bend == "tangent") {
+  const DynamicsScene& scene = input_->scene.dynamics;
+  if (!input_->mesh->frames.empty() || forces_change(input_->scene)) {
+    const springs::SpringNetwork rest = springs::network_of(*input_);
+    sticks_ = {rest, {rest, *input_->mesh, {}}};
+  }
   if (scene.tolerance > 0)
     adaptive_.emplace(float(scene.substeps) * scene.step, scene.substeps, scene.tolerance);
 }
 
+void SpringStage::push(const cl::Queue& queue, const DynamicsScene& scene) {
+  const springs::MovedSticks& now = sticks_->now;
+  std::vector<glm::vec3> force = springs::pushes(now.network, now.mesh, scene.poke);
+  if (!now.velocity.empty())
+    force = springs::with_drag(std::move(force), now.velocity, springs::dynamics_of(scene, now.network).drag);
+  masses_.push(queue, force);
+}
+
+void SpringStage::follow_skin(const cl::Queue& queue, int number) {
+  if (input_->mesh->frames.empty()) return;
+  const std::vector<glm::dvec3> before = std::move(sticks_->now.velocity);
+  sticks_->now = springs::moved_sticks(*input_, sticks_->rest, number);
+  std::vector<glm::vec3> change;
+  for (std::size_t i = 0; i < sticks_->now.velocity.size(); ++i)
+    change.emplace_back(sticks_->now.velocity[i] - (before.empty() ? glm::dvec3(0) : before[i]));
+  masses_.set_skin(queue, sticks_->now.network, change);
+  push(queue, input_->scene.dynamics);
+}
+
 void SpringStage::frame(const cl::Queue& queue, int number, cl::PhaseEvents* events) {
-  if (forces_) {
-    const DynamicsScene scene = dynamics_of_frame(forces_->scene, number);
-    masses_.set_forces(queue, forces_->network, springs::dynamics_of(scene, forces_->network));
-    masses_.push(queue, springs::pushes(forces_->network, *forces_->mesh, scene.poke));
+  if (forces_change(input_->scene)) {
+    const DynamicsScene scene = dynamics_of_frame(input_->scene, number);
+    masses_.set_forces(queue, sticks_->now.network, springs::dynamics_of(scene, sticks_->now.network));
+    push(queue, scene);
   }
   if (masses_.contact()) masses_.contact()->set_frame(queue, number);
   std::vector<cl::Event> launches;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
+#include "harness/prepare/moving_skin.hpp"
 
 namespace pelage::springs {
 namespace {
@@ -62,6 +63,24 @@ SpringNetwork network_of(const Scene& scene, const Mesh& mesh) {
 
 SpringNetwork network_of(const FrameInput& input) {
   return network_of(input.scene, *input.mesh);
+}
+
+MovedSticks moved_sticks(const FrameInput& input, const SpringNetwork& first, int frame) {
+  MovedSticks moved{{}, mesh_of_frame(input, frame), {}};
+  moved.network = network_of(input.scene, moved.mesh);
+  moved.network.gust_at = first.gust_at;
+  moved.network.stick_area = first.stick_area;
+  const std::vector<glm::dvec3> velocity = skin_velocity(input, frame);
+  for (const std::uint32_t point : first.point) moved.velocity.push_back(velocity[point]);
+  return moved;
+}
+
+std::vector<glm::vec3> with_drag(std::vector<glm::vec3> push, const std::vector<glm::dvec3>& velocity,
+                                 float drag) {
+  push.resize(velocity.size(), glm::vec3(0));
+  for (std::size_t i = 0; i < push.size(); ++i)
+    push[i] = glm::vec3(glm::dvec3(push[i]) - double(drag) * velocity[i]);
+  return push;
 }
 
 std::vector<glm::vec3> pushes(const SpringNetwork& network, const Mesh& mesh, const PokeScene& poke) {

@@ -137,6 +137,26 @@ void MassSprings::set_forces(const cl::Queue& queue, const SpringNetwork& networ
   buffers_.sites.write(queue, layout_.sites);
 }
 
+void MassSprings::set_skin(const cl::Queue& queue, const SpringNetwork& network,
+                           const std::vector<glm::vec3>& change) {
+  Layout layout = lay_out(network, dynamics_.wind);
+  if (layout.place != layout_.place || change.size() != layout_.place.size())
+    throw InputError("moving skin: the sticks and springs must be those of the skin at rest");
+  layout_ = std::move(layout);
+  buffers_.sites.write(queue, layout_.sites);
+  if (prisms_)
+    prisms_->set_skin(queue, layout_, buffers_.offset.read(queue));
+  else
+    blocks_->set_skin(queue, layout_);
+  if (!dynamics_.solver.newton) return;  // the velocities hold wind vectors
+  std::vector<float> v = buffers_.speed.read(queue);
+  for (std::size_t i = 0; i < change.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      v[prisms_ ? 4 * std::size_t(layout_.place[i]) + c : column_of(layout_.place[i], 3, c)] -=
+          change[i][int(c)];
+  buffers_.speed.write(queue, v);
+}
+
 void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& force) {
   params_.pushed = 0;
   if (force.empty()) return;

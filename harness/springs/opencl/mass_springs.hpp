@@ -67,6 +67,8 @@ class BlockStage {
              const MassSpringOptions& options);
   void enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
                std::vector<cl::Event>* launches);
+  /// Sets the rest lengths of the triangles' sides.
+  void set_skin(const cl::Queue& queue, const Layout& layout);
   std::size_t bytes() const { return sides_.size() * sizeof(float); }
   const cl::Program& program() const { return program_; }
 
@@ -89,6 +91,9 @@ class PrismStage {
   /// Sets the positions of the tops relative to their bases, stored like Layout::offset. Resets the initial
   /// guess of conjugate gradients to 0.
   void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
+  /// Sets the positions of the bases and the rest lengths of the springs. `offset` has the positions of the
+  /// tops relative to their bases, stored like Layout::offset.
+  void set_skin(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
   /// Enqueues params.substeps steps. Waits for the queue whenever conjugate gradients test their residual.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
                std::vector<cl::Event>* launches);
@@ -160,6 +165,11 @@ class MassSprings {
   /// Sets gravity and wind of all later steps. `network` is that of the constructor. Throws InputError if
   /// check() of dynamics.hpp rejects `dynamics`.
   void set_forces(const cl::Queue& queue, const SpringNetwork& network, const Dynamics& dynamics);
+
+  /// Places the sticks on the skin of `network`, at the start of a frame of a moving skin (docs/springs.md).
+  /// The topology is that of the constructor. `change` is what the velocity of each base changes by, in R/s.
+  /// The tops keep their positions relative to their bases, and their velocities in the world.
+  void set_skin(const cl::Queue& queue, const SpringNetwork& network, const std::vector<glm::vec3>& change);
 
   /// Sets the local forces on the tops, one vector per stick, in newtons, in the object's frame; empty: none.
   /// Throws InputError if the size is wrong or a force is not finite.

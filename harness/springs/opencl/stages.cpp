@@ -107,6 +107,14 @@ void PrismStage::set(const cl::Queue& queue, const Layout& layout, const std::ve
   change_.write(queue, std::vector<float>(change_.size(), 0.0f));
 }
 
+void PrismStage::set_skin(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset) {
+  rest_.write(queue, layout.rest);
+  if (solver_.implicit)
+    root_.write(queue, rows(layout.sites, SITE_COLUMNS, SITE_ROOT));
+  else
+    tip_.write(queue, tips(layout, offset));
+}
+
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
   cl::Event event = kernel.enqueue(queue, std::size_t(items), group_);
   if (launches_) launches_->push_back(std::move(event));
@@ -299,6 +307,10 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynam
       units_(blocks_ * (16 / lanes)),
       per_item_(whole ? units_
                       : cl::units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
+
+void BlockStage::set_skin(const cl::Queue& queue, const Layout& layout) {
+  if (sides_.size() == layout.sides.size()) sides_.write(queue, layout.sides);
+}
 
 void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
                          std::vector<cl::Event>* launches) {

@@ -339,6 +339,16 @@ State after(const System& system, State state, long first, long steps) {
   return state;
 }
 
+State on_new_skin(const SpringNetwork& network, State state, const Vectors& change) {
+  for (std::size_t i = 0; i < network.sticks(); ++i) {
+    const glm::dvec3 base(network.mass[i]);
+    state.position[network.top(i)] += base - state.position[i];
+    state.position[i] = base;
+    state.velocity[network.top(i)] -= change[i];
+  }
+  return state;
+}
+
 double residual(const System& system, const State& state, long number, const Vectors& change) {
   const double h = double(system.dynamics.step);
   const Equations equations = backward_equations(system, state, double(number) * h, h);

@@ -38,6 +38,11 @@ State step(const System& system, const State& state, long number);
 /// Returns the state after `steps` time steps that begin with step number `first` in the state `state`.
 State after(const System& system, State state, long first, long steps);
 
+/// Returns the state at the start of a frame on a moving skin (docs/springs.md, section Moving skin).
+/// `network` has the skin of this frame, and `change` is what the velocity of each base changes by. The tops
+/// keep their places relative to their bases, and their velocities in the world.
+State on_new_skin(const SpringNetwork& network, State state, const std::vector<glm::dvec3>& change);
+
 /// Returns the relative residual |b - A x| / |b| of the linear system A x = b of one backward Euler step. The
 /// vector x is `change`, the change of the top masses' velocities (R/s) in this step. `number` is the index
 /// of this step, starting at 0.

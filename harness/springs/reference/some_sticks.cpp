@@ -77,10 +77,13 @@ void push_out(const FrameInput& input, const SpringNetwork& network, double time
 }
 
 /// Moves a part of the sticks of `whole` by frames `first` to `first` + `frames` - 1 with the forces `scene`.
-reference::State moved_sticks(const SpringNetwork& whole, const FrameInput& input, const SpringNetwork& part,
-                              const std::vector<std::uint32_t>& sticks, const DynamicsScene& scene,
-                              reference::State state, int first, int frames) {
-  const std::vector<glm::vec3> push = pushes(whole, *input.mesh, scene.poke);
+/// `velocity` is that of the bases of all sticks; empty: the skin does not move.
+reference::State moved_part(const SpringNetwork& whole, const FrameInput& input, const Mesh& mesh,
+                            const SpringNetwork& part, const std::vector<std::uint32_t>& sticks,
+                            const DynamicsScene& scene, reference::State state, int first, int frames,
+                            const std::vector<glm::dvec3>& velocity = {}) {
+  std::vector<glm::vec3> push = pushes(whole, mesh, scene.poke);
+  if (!velocity.empty()) push = with_drag(std::move(push), velocity, dynamics_of(scene, whole).drag);
   std::vector<glm::dvec3> own;
   if (!push.empty())
     for (const std::uint32_t stick : sticks) own.emplace_back(push[stick]);
@@ -95,6 +98,27 @@ reference::State moved_sticks(const SpringNetwork& whole, const FrameInput& inpu
   return state;
 }
 
+/// Moves the sticks `sticks` on a skin that deforms by `frames` frames from rest. Stores their last state in
+/// `state`, and returns their part of the last network.
+SpringNetwork moved_on_skin(const FrameInput& input, const SpringNetwork& first,
+                            const std::vector<std::uint32_t>& sticks, int frames, reference::State& state) {
+  SpringNetwork part = part_of(first, sticks);
+  std::vector<glm::dvec3> before(first.sticks(), glm::dvec3(0));
+  for (int i = 0; i < frames; ++i) {
+    const MovedSticks moved = moved_sticks(input, first, i);
+    part = part_of(moved.network, sticks);
+    std::vector<glm::dvec3> change;
+    for (const std::uint32_t stick : sticks)
+      change.push_back(solver_of(input.scene.dynamics.solver).newton ? moved.velocity[stick] - before[stick]
+                                                                     : glm::dvec3(0));
+    state = reference::on_new_skin(part, std::move(state), change);
+    state = moved_part(moved.network, input, moved.mesh, part, sticks, dynamics_of_frame(input.scene, i),
+                       std::move(state), i, 1, moved.velocity);
+    before = moved.velocity;
+  }
+  return part;
+}
+
 }  // namespace
 
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count,
@@ -106,12 +130,14 @@ SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_
         scene.dynamics.tolerance));
   const SpringNetwork network = network_of(input);
   SomeSticks some{spread(network, count), {}, {}};
-  const SpringNetwork part = part_of(network, some.stick);
+  SpringNetwork part = part_of(network, some.stick);
   const auto moved = [&](const DynamicsScene& forces, reference::State from, int first, int number) {
-    return moved_sticks(network, input, part, some.stick, forces, std::move(from), first, number);
+    return moved_part(network, input, *input.mesh, part, some.stick, forces, std::move(from), first, number);
   };
   reference::State state = reference::rest(part);
-  if (!forces_change(scene) && !each)
+  if (!input.mesh->frames.empty())
+    part = moved_on_skin(input, network, some.stick, frames, state);
+  else if (!forces_change(scene) && !each)
     state = moved(scene.dynamics, std::move(state), 0, frames);
   else
     for (int i = 0; i < frames; ++i) {

@@ -26,6 +26,10 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
     throw InputError(
         fmt::format("{}: contact: this pipeline does not draw, and has no colliders; use shells or reference",
                     which.name));
+  if (scene.mesh.frames > 1)
+    throw InputError(fmt::format(
+        "{}: mesh.frames: this pipeline does not draw, and needs a mesh that does not deform; give 1",
+        which.name));
   return scene;
 }
 

@@ -34,7 +34,7 @@ void hash_springs(const CheckRequest& request, const std::string& mapping,
   for (const springs::Kind kind : springs::kinds) {
     Scene scene = request.scene;
     scene.dynamics.topology = std::string(kind.name);
-    FrameInput input = *prepare(scene, request.mesh);
+    FrameInput input = *prepare(scene, request.mesh, Deforming::followed);
     for (const springs::Solver solver : springs::solvers) {
       input.scene.dynamics.solver = std::string(solver.name);
       const std::string what = fmt::format("{}, {}", kind.name, solver.name);
@@ -57,7 +57,7 @@ void hash_springs(const CheckRequest& request, const std::string& mapping,
 }  // namespace
 
 std::vector<StageCheck> check(const CheckRequest& request) {
-  const auto input = prepare(request.scene, request.mesh);
+  const auto input = prepare(request.scene, request.mesh, Deforming::followed);
   const std::string first = offered_mapping(request.mapping, request.device.info());
   const FrameOutput drawn = draw(request, first, input);
   std::vector<StageCheck> all;
@@ -98,7 +98,7 @@ std::vector<StageCheck> check(const CheckRequest& request) {
 /// picture. Then calls hash_springs().
 void hash(const CheckRequest& request,
           const std::function<void(const std::string&, const std::string&)>& print) {
-  const auto input = prepare(request.scene, request.mesh);
+  const auto input = prepare(request.scene, request.mesh, Deforming::followed);
   const std::vector<std::string> drawn =
       request.mapping.empty() ? mappings_on(request.device.info()) : std::vector{request.mapping};
   for (const std::string& mapping : drawn) {

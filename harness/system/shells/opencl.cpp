@@ -3,6 +3,7 @@
 
 #include "harness/compare/checks.hpp"
 #include "harness/compare/metrics.hpp"
+#include "harness/prepare/moving_skin.hpp"
 #include "harness/shells/opencl/program_texts.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/reference/mask.hpp"
@@ -23,6 +24,7 @@ class ShellsOnDevice : public OnDevice<FrameInput, Shells, ShellOptions> {
     OnDevice::load(input);
     pictures_ = 0;
   }
+  void prepare_frame() override { pipeline_->follow_skin(); }
   cl::FrameTiming frame() override {
     refine();
     return OnDevice::frame();
@@ -32,7 +34,7 @@ class ShellsOnDevice : public OnDevice<FrameInput, Shells, ShellOptions> {
     return OnDevice::still();
   }
   void dump(Hdf5File& file, const Scene& scene) override {
-    shells::dump(file, *input_, scene,
+    shells::dump(file, *drawn(), scene,
                  {"", frames_simulated(), pipeline_->tips(), pipeline_->velocities(), pipeline_->mask(), {}});
   }
 
@@ -43,7 +45,7 @@ class ShellsOnDevice : public OnDevice<FrameInput, Shells, ShellOptions> {
   std::vector<Check> checks(const Picture& timed, std::uint32_t seed) override {
     const bool springs = has_springs(input_->scene.dynamics);
     const WindowCheck result = check_against_reference(
-        *input_, frames_simulated(), timed, seed, springs ? pipeline_->tips() : std::vector<glm::vec3>());
+        *drawn(), frames_simulated(), timed, seed, springs ? pipeline_->tips() : std::vector<glm::vec3>());
     agreement_ = result.agreement;
     sample_ = result.sample;
     std::vector<Check> checks = result.checks;
@@ -91,6 +93,8 @@ class ShellsOnDevice : public OnDevice<FrameInput, Shells, ShellOptions> {
   std::string title() const override { return fmt::format("shells on {}", device_.info().name); }
 
  private:
+  /// Returns the input with the skin of the last frame.
+  std::shared_ptr<const FrameInput> drawn() const { return with_skin(input_, frames_simulated() - 1); }
   /// A single picture costs less than the refinement.
   void refine() {
     if (!options_.refine && ++pictures_ == 2) pipeline_->refine();

@@ -1,5 +1,6 @@
 // Fur as shells: the table of its backends, and the reference renderer as one of them.
 #include "harness/dump/dump.hpp"
+#include "harness/prepare/moving_skin.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/system/backend_parts.hpp"
@@ -14,7 +15,9 @@ class Reference : public FromRest<FrameInput> {
  public:
   explicit Reference(bool eight_bits) : eight_bits_(eight_bits) {}
   Picture read() override { return output_.image; }
-  void dump(Hdf5File& file, const Scene& scene) override { shells::dump(file, *input_, scene, output_); }
+  void dump(Hdf5File& file, const Scene& scene) override {
+    shells::dump(file, *with_skin(input_, frames_ - 1), scene, output_);
+  }
   std::string title() const override { return output_.pipeline; }
 
  private:
@@ -52,7 +55,7 @@ void dump(Hdf5File& file, FrameInput input, const Scene& scene, const FrameOutpu
 extern const System shells_system{
     .name = "shells",
     .prepare = [](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) -> SystemInput {
-      return prepare(scene, mesh);
+      return prepare(scene, mesh, Deforming::followed);
     },
     .is_view_key = is_view_key,
     .with_view = shells::changed_view,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 
 #include "harness/cl/measure.hpp"
 #include "harness/compare/frame_output.hpp"
@@ -236,7 +237,7 @@ struct Stages {
         geometry(shells::lay_out(input, 1)),
         wet(queue, input),
         raster(queue, input, geometry, wet, {"pixel", {}}),
-        springs(queue, input, geometry, 1) {
+        springs(queue, std::make_shared<const FrameInput>(input), geometry, 1) {
     springs.frame(queue, 0, nullptr);
   }
   static FrameInput moved_input() {
