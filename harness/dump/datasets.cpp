@@ -179,7 +179,7 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
              "surface point at the centre of each texel of the wetness mask; axes: v, u");
   file.write(
       "mask", {side, side}, output.mask, "UV, UV, UV, 1",
-      "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 in a texel without a clump; axes: v, u");
+      "wetness mask: centre (c_u, c_v), radius r and wetness rho of the clump of each texel, all 0 in a texel that no droplet changed; axes: v, u");
 }
 
 void write_textures(Hdf5File& file, const FrameInput& input) {

@@ -25,9 +25,12 @@ void check_input(const FrameInput& input, const Options& options) {
   const bool sticks = has_springs(input.scene.dynamics);
   check(!sticks || input.stick_normal.size() == points,
         "a mass-spring topology needs one normal per surface point");
+  const bool on_copies = input.scene.dynamics.springs.vertices == "copies";
   check(
-      options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
-      "Options::sticks must have one entry per surface point, or one per triangle corner if the topology is separable-sticks or separable-prisms");
+      options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces
+                                                          : on_copies        ? copies
+                                                                             : points),
+      "Options::sticks must have one entry per surface point (with dynamics.springs.vertices \"copies\", per vertex), or one per triangle corner if the topology is separable-sticks or separable-prisms");
   check(!sticks || !options.sticks.empty() || options.frames == 0,
         "Options::sticks must not be empty if a mass-spring topology is drawn after more than 0 frames");
   check(input.strands.row.size() == points + 1,
