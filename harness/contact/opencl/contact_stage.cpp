@@ -39,8 +39,8 @@ void append_mesh(std::vector<float>& table, const ContactMeshScene& mesh, const 
   append(table, row_of(m.position, {double(field), share, rate}, 1 / double(mesh.scale), double(mesh.scale),
                        mesh.motion.velocity));
   Row turn{};
-  for (int i = 0; i < 9; ++i) turn[std::size_t(i)] = float(m.turn[i / 3][i % 3]);
-  for (int i = 0; i < 3; ++i) turn[std::size_t(9 + i)] = float(m.spin[i]);
+  for (std::size_t i = 0; i < 9; ++i) turn[i] = float(m.turn[int(i / 3)][int(i % 3)]);
+  for (std::size_t i = 0; i < 3; ++i) turn[9 + i] = float(m.spin[int(i)]);
   append(table, turn);
 }
 

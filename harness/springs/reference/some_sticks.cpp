@@ -108,6 +108,7 @@ SpringNetwork moved_on_skin(const FrameInput& input, const SpringNetwork& first,
     const MovedSticks moved = moved_sticks(input, first, i);
     part = part_of(moved.network, sticks);
     std::vector<glm::dvec3> change;
+    change.reserve(sticks.size());
     for (const std::uint32_t stick : sticks)
       change.push_back(solver_of(input.scene.dynamics.solver).newton ? moved.velocity[stick] - before[stick]
                                                                      : glm::dvec3(0));
