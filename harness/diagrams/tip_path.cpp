@@ -81,20 +81,23 @@ Section path_section(const FrameInput& input, std::size_t most) {
   const int frames = frames_before(scene.dynamics) + 1;
   const std::vector<std::size_t> faces = spread_over(input.strands.anchor.size(), most);
   std::vector<AtRest> rest;
+  rest.reserve(faces.size());
   for (const std::size_t face : faces)
     rest.push_back({glm::dvec3(input.strands.anchor[face]), glm::dvec3(input.strands.normal[face]),
                     double(strand_length(scene.fur, input.style, face))});
   const reference::FrameForces forces(input, 0, frames);
   const auto simulate = [&](const auto& each) {
     std::vector<reference::Strand> strands;
+    strands.reserve(faces.size());
     for (const std::size_t face : faces) strands.push_back(reference::rest(input, face));
     Tips tips(strands.size());
-    for (std::size_t k = 0; k < std::size_t(frames * scene.dynamics.substeps); ++k) {
+    const auto substeps = std::size_t(scene.dynamics.substeps);
+    for (std::size_t k = 0; k < std::size_t(frames) * substeps; ++k) {
       for (std::size_t i = 0; i < strands.size(); ++i) {
         strands[i] = reference::substep(input, forces, faces[i], strands[i], k);
         tips[i] = strands[i].tip;
       }
-      if ((k + 1) % std::size_t(scene.dynamics.substeps) == 0) each(tips);
+      if ((k + 1) % substeps == 0) each(tips);
     }
   };
   return path_of(rest, frame_seconds(scene.dynamics), simulate);

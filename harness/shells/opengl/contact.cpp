@@ -66,9 +66,8 @@ void set_colliders(GLuint program, GLuint field, const FrameInput& input, double
   if (mesh.frames > 1)
     upload(field, grid.nodes,
            contact_field_at(input.contact_fields, mesh, input.scene.dynamics, time).distance);
-  std::vector<glm::vec4> axes;
-  for (int i = 0; i < 3; ++i) axes.emplace_back(glm::vec3(m.turn[i]), 0.0f);
-  set_vectors(program, "mesh_axes", axes);
+  const auto axis_of = [&](int i) { return glm::vec4(glm::vec3(m.turn[i]), 0.0f); };
+  set_vectors(program, "mesh_axes", {axis_of(0), axis_of(1), axis_of(2)});
   set_vectors(program, "mesh_place",
               {glm::vec4(glm::vec3(m.position), mesh.motion.exists(time) ? mesh.scale : 0.0f)});
   set_vectors(program, "mesh_grid", {glm::vec4(grid.origin, 1.0f / grid.cell)});
