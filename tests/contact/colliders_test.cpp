@@ -80,7 +80,7 @@ struct Table {
     const DistanceField& grid = *fields.front();
     table[1] = grid.nodes.x, table[2] = grid.nodes.y, table[3] = grid.nodes.z,
     table[4] = 1 / double(grid.cell);
-    for (int k = 0; k < 3; ++k) table[std::size_t(5 + k)] = double(grid.origin[k]);
+    for (std::size_t k = 0; k < 3; ++k) table[5 + k] = double(grid.origin[int(k)]);
     const double frame = frame_of(scene), since = time - double(m.motion.begin), passed = since / frame;
     const auto last = std::min(std::size_t(passed), fields.size() - 1);
     const auto next = std::min(last + 1, fields.size() - 1);

@@ -114,7 +114,7 @@ TEST(ArrowOfAWindThatChanges, ShowsTheWindOfThePicture) {
     Scene scene = gusty("");
     scene.dynamics.time = time;
     const auto input = prepare(scene, small_torus());
-    Picture picture{64, 32, std::vector<glm::vec4>(64 * 32, {0, 0, 0, 1})};
+    Picture picture{64, 32, std::vector<glm::vec4>(std::size_t(64) * 32, {0, 0, 0, 1})};
     if (blows) {
       EXPECT_NO_THROW(diagrams::draw_wind_arrow(picture, *input, 1));
     } else {
