@@ -22,17 +22,19 @@ TEST_F(ForceFrames, DoNotDependOnTheFrameRate) {
   const std::string poke =
       "\"dynamics.poke.radius\" = [[0.0, 0.6]]\n\"dynamics.poke.force\" = [[0.0, [0, 0, 0.1]], [0.3, [0, 0, 0]]]\n"
       "\"dynamics.poke.point\" = [[0.0, [0, 0, 1]], [0.3, [1, 0, 0]]]\n";
-  const std::string sticks = layers + "dynamics.drag = 0.004\ndynamics.topology = ";
+  const auto on = [&](const char* topology) {
+    return fmt::format("{}dynamics.drag = 0.004\ndynamics.topology = \"{}\"\n{}{}", layers, topology, gusts,
+                       poke);
+  };
   int number = 0;
   for (const std::string& text :
-       {layers + gusts, sticks + "\"sticks\"\n" + gusts + poke, sticks + "\"prisms\"\n" + gusts + poke,
-        sticks + "\"separable-prisms\"\n" + gusts + poke,
+       {layers + gusts, on("sticks"), on("prisms"), on("separable-prisms"),
         "pipeline = \"strands\"\nstrands.layer = [{ count = 2000, length = 0.2 }]\n" + gusts}) {
     folder.write("forces.toml", text);
     const std::string slow = fmt::format("slow{}", number), fast = fmt::format("fast{}", number);
     ++number;
-    done("animate " + scene + "--fps 24 --to 0.5 -o " + slow);
-    done("animate " + scene + "--fps 60 --to 0.5 -o " + fast);
+    done(fmt::format("animate {}--fps 24 --to 0.5 -o {}", scene, slow));
+    done(fmt::format("animate {}--fps 60 --to 0.5 -o {}", scene, fast));
     std::set<std::string> pictures;
     for (int k = 0; k <= 12; k += 2) {  // k / 24 s = 5 k / 2 / 60 s
       const std::string picture = file(slow, k);
