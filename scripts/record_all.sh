@@ -103,7 +103,8 @@ strands_sheet() (
 part table1 scripts/record.sh --repeat 3
 record wet wetfur2010-table1 --preset recorded --repeat 3
 record layers layers --repeat 3
-record update-time banisch2006-{update-time,equal-steps} --repeat 3
+record update-time banisch2006-{update-time,equal-steps,layers} --repeat 3
+record earlier-methods banisch2006-earlier-methods --repeat 3
 record topologies topology-table1 --repeat 3
 record solvers topology-solvers
 record substeps topology-solvers --axis dynamics.substeps=16 --filter \
@@ -125,10 +126,8 @@ record depth readings --filter depth
 part profile "$PELAGE" profile -o "$runs/profile"
 part profile-strands "$PELAGE" profile demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/profile-strands"
 
-rm -rf results/wetfur2010-table1
-cp -r "$runs/wet/wetfur2010-table1" results/
-find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
-publish results/tables/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
+publish results/tables/wet "$runs/wet"
+publish results/tables/topology "$runs"/{update-time,earlier-methods,topologies,solvers,substeps,springs,studies}
 publish results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
 rows=results/avx2 publish results/tables/rivals-avx2 "$runs/avx2"
 publish results/tables/effects "$runs"/{overheads,self-shadow,readings,depth}
