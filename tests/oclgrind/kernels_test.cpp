@@ -162,10 +162,24 @@ TEST(DISABLED_Tiny, GroupAcrossTheNearPlane) {
 }
 TEST(DISABLED_Tiny, Topologies) {
   for (const char* topology : {"prisms", "separable-prisms"})
-    for (const char* solver : {"explicit-euler", "backward-euler", "semi-implicit-euler", "rk4"}) {
-      Shells shells(device(), tiny(topology, solver, 1), {"tile", {}});
+    for (const springs::Solver& solver : springs::solvers) {
+      Shells shells(device(), tiny(topology, std::string(solver.name), 1), {"tile", {}});
       shells.frame();
     }
+  Shells(device(), tiny("sticks", "wind-vectors", 1), {"tile", {}}).frame();
+}
+TEST(DISABLED_Tiny, Colliders) {
+  Scene pressed;
+  pressed.contact.spheres.emplace_back().centre = {0, 1, 0};
+  FrameInput input = *tiny("sticks", "semi-implicit-euler", 1);
+  input.scene.contact = pressed.contact;
+  Shells(device(), std::make_shared<FrameInput>(input), {"tile", {}}).frame();
+  const cl::Queue queue(device());
+  strands::Chains chains(queue, strands::test::sphere_of(20), {});
+  chains.collide(queue, pressed, {});
+  chains.contact()->set_frame(queue, 0);
+  chains.enqueue(queue, pressed.dynamics.substeps);
+  EXPECT_EQ(chains.states(queue).size(), 20u);
 }
 // For such a small model, MassSprings normally starts one work-item, which computes all parts of a step in
 // one launch. With Whole::never, every part of a step is a separate launch.
