@@ -14,19 +14,14 @@
 #include "harness/springs/reference/reference.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/springs/support/scenes.hpp"
-#include "tests/support/opencl_as_cpp.hpp"
+#include "tests/support/rasterize_in_double.hpp"
 #include "tests/support/synthetic.hpp"
-
-namespace pelage::in_double {
-// clang-format off
-#include "rasterize/equations.clh"
-// clang-format on
-}  // namespace pelage::in_double
 
 namespace pelage {
 namespace {
 
 namespace shim = in_double;
+using shim::shim_of;
 using namespace pictures;
 using springs::Dynamics;
 using springs::Kind;
@@ -34,18 +29,14 @@ using springs::Solver;
 
 constexpr double hair = 0.11;
 
-shim::real3 in_double3(const glm::dvec3& v) {
-  return shim::vec3(v.x, v.y, v.z);
-}
-
 TEST(EarlierMethods, ArcsKeepTheDistanceFromTheBaseAndDivideTheAngle) {
   for (std::uint32_t i = 0; i < 200; ++i) {
     synthetic::Any any{i};
     const glm::dvec3 n = any.direction(), s = any.direction();
     if (glm::dot(n, s) < -.9) continue;
     for (const double h : {0.0625, 0.4375, 1.0}) {
-      const shim::real3 found = shim::arc_offset(h, in_double3(hair * n), in_double3(hair * s));
-      const glm::dvec3 p(found.x, found.y, found.z);
+      const shim::real3 found = shim::arc_offset(h, shim_of(hair * n), shim_of(hair * s));
+      const glm::dvec3 p = shim::glm_of(found);
       EXPECT_NEAR(glm::length(p), h * hair, 1e-12);
       EXPECT_NEAR(std::acos(glm::dot(glm::normalize(p), n)), h * std::acos(glm::dot(n, s)), 1e-7);
       EXPECT_NEAR(glm::dot(glm::cross(n, s), p), 0, 1e-12);
@@ -55,7 +46,7 @@ TEST(EarlierMethods, ArcsKeepTheDistanceFromTheBaseAndDivideTheAngle) {
       EXPECT_LT(glm::distance(p, expected), 1e-12);
     }
   }
-  const shim::real3 upright = shim::arc_offset(.25, in_double3({0, hair, 0}), in_double3({0, hair, 0}));
+  const shim::real3 upright = shim::arc_offset(.25, shim_of({0, hair, 0}), shim_of({0, hair, 0}));
   EXPECT_NEAR(upright.y, .25 * hair, 1e-15);
 }
 

@@ -11,29 +11,20 @@
 #include "harness/shells/reference/light.hpp"
 #include "harness/shells/reference/textures.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
-#include "tests/support/opencl_as_cpp.hpp"
+#include "tests/support/rasterize_in_double.hpp"
 #include "tests/support/style_scenes.hpp"
 #include "tests/support/synthetic.hpp"
-
-namespace pelage::in_double {
-// clang-format off
-#include "rasterize/equations.clh"
-// clang-format on
-}  // namespace pelage::in_double
 
 namespace pelage {
 namespace {
 
 namespace shim = in_double;
+using shim::shim_of;
 using namespace pictures;
 using synthetic::Any;
 
-shim::real3 shim3(const glm::dvec3& v) {
-  return shim::vec3(v.x, v.y, v.z);
-}
 glm::dvec3 shift_of(const glm::dvec3& rise, const glm::dvec3& normal, const glm::dvec3& light) {
-  const shim::real3 shift = shim::light_shift(shim3(rise), shim3(normal), shim3(light));
-  return {shift.x, shift.y, shift.z};
+  return shim::glm_of(shim::light_shift(shim_of(rise), shim_of(normal), shim_of(light)));
 }
 
 TEST(TracedShadow, TheRayMeetsTheStrandOfTheShiftedRoot) {
@@ -86,7 +77,7 @@ TEST(TracedShadow, IsTheReferences) {
       const int every = above <= 16 ? 1 : (above + 15) / 16;
       for (int m = n + every; m < layers; m += every) {
         const glm::dvec3 shift = shift_of(at(m) - at(n), normal, light);
-        const shim::real2 uv = shim::shift_in_uv(shim3(shift), shim3(t), shim3(along));
+        const shim::real2 uv = shim::shift_in_uv(shim_of(shift), shim_of(t), shim_of(along));
         const glm::dvec2 there = root + glm::dvec2(uv.x, uv.y) + double(m - n) * drift;
         const double power = coverage_power(input.scene.fur);
         expected *= std::pow(

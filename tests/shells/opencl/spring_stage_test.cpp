@@ -17,30 +17,20 @@
 #include "harness/springs/model/scene.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
-#include "tests/support/opencl_as_cpp.hpp"
+#include "tests/support/rasterize_in_double.hpp"
 #include "tests/support/synthetic.hpp"
-
-namespace pelage::in_double {
-// clang-format off
-#include "rasterize/equations.clh"
-// clang-format on
-}  // namespace pelage::in_double
 
 namespace pelage {
 namespace {
 
 namespace shim = in_double;
+using shim::glm_of;
+using shim::shim_of;
 using namespace pictures;
 using reference::Mutant;
 
 constexpr double length = 0.11;
 
-glm::dvec3 glm_of(const shim::real3& v) {
-  return {v.x, v.y, v.z};
-}
-shim::real3 shim_of(const glm::dvec3& v) {
-  return shim::vec3(v.x, v.y, v.z);
-}
 void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-12);
 }
