@@ -88,7 +88,7 @@ def published(row):
 
 
 def table1_rows(sizes, models=None):
-    cells = by((row for row in table("table1/silva2010-table1.csv") if row["reading"] == "default"), "model")
+    cells = by((row for row in table("table1/silva2010-table1.csv") if row["reading"] == "paper"), "model")
     return [[f"{model}, {rows[0]['triangles']:.0f} triangles"] + [
         text for row in sorted(rows, key=lambda row: (row["layers"], int(row["size"].split("x")[0])))
         if row["size"] in sizes for text in (published(row), three(row["fps"]))]

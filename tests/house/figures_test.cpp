@@ -44,7 +44,7 @@ TEST(Figures, PlantedMistakesAreFound) {
                "\n| two tori, plain shells | 9 |");
   EXPECT_NE(exit_of_check(copy), 0);
   documents();
-  replace_once(copy / "results/tables/table1/silva2010-table1.csv", "\nlion,365118,default,16,800x600",
-               "\nlion,365119,default,16,800x600");
+  replace_once(copy / "results/tables/table1/silva2010-table1.csv", "\nlion,365118,paper,16,800x600",
+               "\nlion,365119,paper,16,800x600");
   EXPECT_NE(exit_of_check(copy), 0);
 }
