@@ -87,20 +87,31 @@ def published(row):
     return f"{sign} {row['paper_fps']:.0f}".strip()
 
 
-def table1_rows(sizes, models=None):
-    cells = by((row for row in table("table1/silva2010-table1.csv") if row["reading"] == "paper"), "model")
-    return [[f"{model}, {rows[0]['triangles']:.0f} triangles"] + [
-        text for row in sorted(rows, key=lambda row: (row["layers"], int(row["size"].split("x")[0])))
-        if row["size"] in sizes for text in (published(row), three(row["fps"]))]
-        for (model,), rows in cells.items() if not models or model in models]
+def cells(name):
+    """Yields the cells of a Table 1: the row of the reading `paper` and that of the reading `pelage`."""
+    for rows in by(table(name), "model", "layers", "size").values():
+        both = {row["reading"]: row for row in rows}
+        yield both["paper"], both["pelage"]
 
 
 def table1():
-    yield "Table 1", (
-        "Frames per second by the paper's GeForce 8800 GTS and by our kernels. The report is in "
-        "`results/tables/table1`."), markdown(
-        ["model"] + [f"{layers} layers, {size}, {who}" for layers in (16, 64) for size in ("800x600", "1680x1050")
-                     for who in ("paper", "ours")], table1_rows(["800x600", "1680x1050"]))
+    for title, name, paper in (
+            ("Table 1 of Curling and Clumping Fur", "table1/silva2010-table1.csv", "*Curling and Clumping Fur*"),
+            ("Table 1 of Real-Time Rendering of Wet Fur", "wet/wetfur2010-table1.csv", "*Real-Time Rendering of Wet Fur*")):
+        found = list(cells(name))
+        yield title, (
+            f"The columns \"paper\" are the numbers that {paper} prints, for a GeForce 8800 GTS. The others are our "
+            "kernels' in the readings `paper` and `pelage`: frames per second, wall time and processor time of a frame."
+        ), markdown(
+            ["model", "triangles", "layers", "size", "paper, fps", "reading `paper`, fps", "reading `pelage`, fps",
+             "`paper`, ms", "`paper`, processor ms", "`pelage`, ms", "`pelage`, processor ms"],
+            [[printed["model"], f"{printed['triangles']:.0f}", f"{printed['layers']:.0f}", printed["size"], published(printed),
+              three(printed["fps"]), three(ours["fps"]), *(three(row[key]) for row in (printed, ours) for key in ("median_ms", "cpu_ms"))]
+             for printed, ours in found])
+        yield None, (
+            "A frame of the reading `pelage` takes " f"{mean(ours['median_ms'] / printed['median_ms'] for printed, ours in found):.2f} "
+            f"times as long as a frame of the reading `paper` (geometric mean of the {len(found)} cells, "
+            f"{span((ours['median_ms'] / printed['median_ms'] for printed, ours in found), '.2f')})."), ""
 
 
 def ratio_row(label, rows):
@@ -115,16 +126,21 @@ def ratio_row(label, rows):
 
 def opengl():
     strongest = "strongest variant of the baseline"
-    rows = [(label, table(name)) for label, name in (
+    def read(label, name):
+        found = table(name)    # rows that were recorded before the readings existed are of the reading `pelage`
+        return label + ("" if found[0].get("reading") == "paper" else ", reading `pelage`"), found
+    rows = [read(label, name) for label, name in (
         ("Table 1", "rivals/rivals-ratio.csv"), (f"Table 1, {strongest}", "rivals/rivals-strongest-ratio.csv"),
         ("Table 1, without AVX-512", "rivals-avx2/rivals-ratio.csv"),
         (f"Table 1, without AVX-512, {strongest}", "rivals-avx2/rivals-strongest-ratio.csv"))]
-    tori = by(table("rivals/rivals-tori-ratio.csv"), "reading")
-    rows += [("two tori, curls and clumps", tori["default",]), ("two tori, plain shells", tori["plain",]),
+    tori = by(table("rivals/rivals-tori-ratio.csv"), "reading", "effects")
+    rows += [("two tori, curls and clumps", tori["paper", "all"]), ("two tori, plain shells", tori["paper", "none"]),
+             ("two tori, curls and clumps, reading `pelage`", tori["pelage", "all"]),
+             ("two tori, plain shells, reading `pelage`", tori["pelage", "none"]),
              ("strands", table("strands/demoreuille2011-scaling-ratio.csv"))]
     yield "OpenGL baseline", (
         "Frame time of the OpenGL baseline (llvmpipe on the same processor) / frame time of our kernels "
-        "(`docs/baselines.md`)."), markdown(
+        "(`docs/baselines.md`), in the reading `paper` unless a line names another."), markdown(
         ["scene", "cells", "geometric mean", "lowest ratio", "highest ratio"], [ratio_row(*row) for row in rows])
     [(low, high)] = re.findall(r"over 32 of 32 cells \(95% interval ([\d.]+) to ([\d.]+) over 3 separate runs\)",
                                (ROOT / "results/tables/rivals/rivals-ratio.txt").read_text(encoding="utf-8"))
@@ -226,12 +242,14 @@ def reading(switch):
 
 
 def effects():
-    rows = by(table("effects/overheads.csv"), "reading", "model", "layers")
-    kinds = list(dict.fromkeys(key[0] for key in rows))
-    yield "Effects", (
-        "Frame time with an effect / frame time of plain shells at 800x600 (experiment overheads)."), markdown(
-        ["effect"] + [f"{model}, {layers} layers" for model, layers in SCENES],
-        [[kind] + [interval(rows[kind, model, layers][0], "frame_over_baseline") for model, layers in SCENES] for kind in kinds])
+    rows = by(table("effects/overheads.csv"), "reading", "effect", "model", "layers")
+    kinds = list(dict.fromkeys(key[1] for key in rows))
+    for which in ("paper", "pelage"):
+        yield f"Effects in the reading `{which}`", (
+            "Frame time with an effect / frame time of plain shells at 800x600 (experiment overheads)."), markdown(
+            ["effect"] + [f"{model}, {layers} layers" for model, layers in SCENES],
+            [[kind] + [interval(rows[which, kind, model, layers][0], "frame_over_baseline") for model, layers in SCENES]
+             for kind in kinds])
     yield "Readings", (
         "Frame time with another reading of the papers / frame time with the default, and the two pictures "
         "compared (experiment readings)."), markdown(
@@ -299,8 +317,17 @@ def page():
 
 
 def frame_rates():
-    return "\n" + markdown(["model"] + [f"{layers} layers, {who}" for layers in (16, 64) for who in ("paper", "ours")],
-                           table1_rows(["800x600"], MODELS)) + "\n"
+    lines = []
+    for (model,), found in by([printed | {"ours": ours} for printed, ours in cells("table1/silva2010-table1.csv")
+                               if printed["size"] == "800x600"], "model").items():
+        if model not in MODELS:
+            continue
+        found.sort(key=lambda row: row["layers"])
+        cost = mean(row["ours"]["median_ms"] / row["median_ms"] for row in found)
+        lines.append([f"{model}, {found[0]['triangles']:.0f} triangles",
+                      *(text for row in found for text in (published(row), three(row["fps"]))), f"{cost:.2f}"])
+    return "\n" + markdown(["model"] + [f"{layers} layers, {who}" for layers in (16, 64) for who in ("paper", "ours")]
+                           + ["`pelage`, time"], lines) + "\n"
 
 
 def replaced(text, begin, end, inner):
