@@ -15,7 +15,7 @@ cp "$work"/run/silva2010-table1/*.jsonl results/silva2010-table1/
 "$pelage" report "$work/run" -o "$work/report" | sed 's/[[:blank:]]*$//' >"$work/table"
 rm -rf results/tables/table1
 mkdir -p results/tables/table1
-cp "$work"/report/tables/silva2010-table1.{csv,tex} "$work"/report/plots/silva2010-table1-frame-time.{svg,pdf,csv,json} \
+cp "$work"/report/tables/silva2010-table1*.{csv,tex} "$work"/report/plots/silva2010-table1*-frame-time.{svg,pdf,csv,json} \
    results/tables/table1/
 sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >results/tables/table1/provenance.txt
 

@@ -57,11 +57,12 @@ std::map<std::string, std::string> files_of(const std::vector<FoundRow>& rows) {
 
 TEST(RecordedRows, StillGiveTheRecordedTables) {
   const std::vector<Recorded> all = {
-      {"table1", {"silva2010-table1"}, 4},
+      {"table1", {"silva2010-table1"}, 7},
+      {"wet", {"wetfur2010-table1"}, 6},
       {"topology", {"banisch2006-", "topology-"}, 39},
       {"rivals", {"rival"}, 12},
       {"rivals-avx2", {"avx2"}, 5},
-      {"effects", {"overheads", "readings"}, 5, {"provenance.txt"}},
+      {"effects", {"overheads", "readings", "silva2010-self-shadow"}, 9, {"provenance.txt"}},
       {"strands", {"demoreuille2011-", "shells-vs-strands", "strands-opengl-ways"}, 16},
       {"scaling", {"layers", "scaling"}, 6, {"provenance.txt"}}};
   for (const Recorded& recorded : all) {
