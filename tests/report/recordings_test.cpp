@@ -23,7 +23,8 @@ struct Recorded {
   std::string tables;
   std::vector<std::string> rows;
   std::size_t files;  ///< number of compared files
-  /// Files that are not compared: they name the journals in another order or metrics by old names.
+  /// Files that are not compared: they name the journals in another order or metrics by old names, or the
+  /// processes of a run that did not end.
   std::set<std::string> except = {};
 };
 
@@ -59,10 +60,10 @@ TEST(RecordedRows, StillGiveTheRecordedTables) {
   const std::vector<Recorded> all = {
       {"table1", {"silva2010-table1"}, 7},
       {"wet", {"wetfur2010-table1"}, 6},
-      {"topology", {"banisch2006-", "topology-"}, 39},
-      {"rivals", {"rival"}, 12},
+      {"topology", {"banisch2006-", "topology-"}, 45},
+      {"rivals", {"rival"}, 10, {"left-out.csv", "left-out.txt"}},
       {"rivals-avx2", {"avx2"}, 5},
-      {"effects", {"overheads", "readings", "silva2010-self-shadow"}, 9, {"provenance.txt"}},
+      {"effects", {"overheads", "readings", "silva2010-self-shadow"}, 7, {"provenance.txt"}},
       {"strands", {"demoreuille2011-", "shells-vs-strands", "strands-opengl-ways"}, 16},
       {"scaling", {"layers", "scaling"}, 6, {"provenance.txt"}}};
   for (const Recorded& recorded : all) {
