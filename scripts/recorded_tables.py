@@ -109,7 +109,7 @@ def table1():
               three(printed["fps"]), three(ours["fps"]), *(three(row[key]) for row in (printed, ours) for key in ("median_ms", "cpu_ms"))]
              for printed, ours in found])
         yield None, (
-            "A frame of the reading `pelage` takes " f"{mean(ours['median_ms'] / printed['median_ms'] for printed, ours in found):.2f} "
+            f"A frame of the reading `pelage` takes {mean(ours['median_ms'] / printed['median_ms'] for printed, ours in found):.2f} "
             f"times as long as a frame of the reading `paper` (geometric mean of the {len(found)} cells, "
             f"{span((ours['median_ms'] / printed['median_ms'] for printed, ours in found), '.2f')})."), ""
 
@@ -243,11 +243,14 @@ def reading(switch):
 
 
 def effects():
-    rows = by(table("effects/overheads.csv"), "reading", "effect", "model", "layers")
+    recorded = table("effects/overheads.csv")
+    processes = span((row["processes"] for row in recorded), ".0f")
+    rows = by(recorded, "reading", "effect", "model", "layers")
     kinds = list(dict.fromkeys(key[1] for key in rows))
     for which in ("paper", "pelage"):
         yield f"Effects in the reading `{which}`", (
-            "Frame time with an effect / frame time of plain shells at 800x600 (experiment overheads)."), markdown(
+            "Frame time with an effect / frame time of plain shells at 800x600 (experiment overheads; separate processes "
+            f"for each cell: {processes})."), markdown(
             ["effect"] + [f"{model}, {layers} layers" for model, layers in SCENES],
             [[kind] + [interval(rows[which, kind, model, layers][0], "frame_over_baseline") for model, layers in SCENES]
              for kind in kinds])
@@ -328,7 +331,7 @@ def frame_rates():
         lines.append([f"{model}, {found[0]['triangles']:.0f} triangles",
                       *(text for row in found for text in (published(row), three(row["fps"]))), f"{cost:.2f}"])
     return "\n" + markdown(["model"] + [f"{layers} layers, {who}" for layers in (16, 64) for who in ("paper", "ours")]
-                           + ["`pelage`, time"], lines) + "\n"
+                           + ["`pelage` / ours, time"], lines) + "\n"
 
 
 def replaced(text, begin, end, inner):
