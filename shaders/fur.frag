@@ -218,6 +218,9 @@ void main() {
   // LEVEL is the part of this sum that is constant in a picture. gl_FragCoord.w is 1/w.
   float level = LEVEL - log2(gl_FragCoord.w / stretch * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
+#ifdef EVEN_SHADE
+  texel.g = 0.5;
+#endif
 #ifdef FRAGMENT_CORRECTION
   texel.r = 1.0 - pow(max(1.0 - texel.r, 1e-30), COVERAGE_POWER);
 #endif

@@ -82,7 +82,7 @@ void add_reading_option(CLI::App& command, std::string& reading) {
   command
       .add_option(
           "--reading", reading,
-          "paper: the scene's keys as its paper prints them, with the fewest repairs (readings/*.toml); pelage: the keys as the scene and the defaults have them")
+          "paper: the scene's keys as the paper prints them whose method the scene has (docs/glossary.md), with the fewest repairs (readings/*.toml); pelage: the keys as the scene and the defaults have them")
       ->check(CLI::IsMember(std::vector<std::string>(reading_names.begin(), reading_names.end())))
       ->type_name("NAME");
 }

@@ -61,6 +61,7 @@ typedef struct {
   int density_width, density_height, density_map;
   // Textures.
   int fur_size, fur_levels;
+  int shaded;                                 // 0: fur.shade is 0, and every strand has the shade 1; 1: the texture has the shades
   float fur_scale[2];                         // repeats of the fur texture per unit of u and of v
   float footprint;                            // pixel width at view depth 1, in texels of mip level 0, times 2^lod_bias
   int substeps;                               // texture samples per fragment of a layer: 1, 2, 4 or 8

@@ -90,7 +90,8 @@ Cases other_readings() {
   curling.scene.clump.cells = "separate";
   FrameInput power = curling;
   power.scene.shading.exponent = 7.5f;  // not a whole number, so pow() is needed
-  return {{"wet", wet}, {"curling", curling}, {"exponent 7.5", power}};
+  power.scene.fur.shade = 0;            // the shades in the texture are not read
+  return {{"wet", wet}, {"curling", curling}, {"exponent 7.5, one shade", power}};
 }
 
 Cases clump_readings() {

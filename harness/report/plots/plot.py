@@ -39,8 +39,11 @@ def natural(text):
 class Keys:
     """Sorts and labels the values of the table's columns."""
 
-    def __init__(self, description):
+    def __init__(self, description, rows):
         self.order, self.labels = description["order"], description["labels"]
+        # The usual reading needs no label, unless another reading stands beside it.
+        one_reading = len({r.get("reading") for r in rows}) < 2
+        self.unlabelled = ("default", "paper") if one_reading else ()
 
     def place(self, column, value):
         order = self.order.get(column, [])
@@ -52,7 +55,7 @@ class Keys:
 
     def text(self, columns, values):
         parts = [self.labels.get(c, "{}").replace("{}", re.sub(r"^(\d+)x(\d+)$", "\\1 × \\2", v))
-                 for c, v in zip(columns, values) if not (c == "reading" and v in ("default", "paper"))]
+                 for c, v in zip(columns, values) if not (c == "reading" and v in self.unlabelled)]
         return ", ".join(p for p in parts if p)
 
 
@@ -155,7 +158,8 @@ def decorate(axis, title, categories, values, d):
     """Sets the scales, ticks and title of a panel. If x is numeric, `values` contains its values."""
     axis.set_yscale(d["y_scale"])
     if categories:
-        turned = len(categories) > 4 or sum(map(len, categories)) > 36
+        room = 40 / len(categories)  # the letters of a label that does not touch its neighbours
+        turned = len(categories) > 4 or any(len(a + b) / 2 > room for a, b in itertools.pairwise(categories))
         axis.set_xticks(range(len(categories)), categories, rotation=30 if turned else 0,
                         ha="right" if turned else "center", rotation_mode="anchor" if turned else None)
         axis.set_xlim(-0.6, len(categories) - 0.4)
@@ -194,7 +198,7 @@ def plain_ticks(axis):
 
 def main(rows, table, outputs):
     d = json.loads(Path(table).with_suffix(".json").read_text(encoding="utf-8"))
-    keys = Keys(d)
+    keys = Keys(d, rows)
     panels = keys.combinations(rows, d["panels"]) or [()]
     series = keys.combinations(rows, d["series"]) or [()]
     numeric = all(number(r[d["x"]]) is not None for r in rows if r[d["x"]])

@@ -144,6 +144,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   place_maps(input, geometry, p);
   p.fur_size = input.fur.size;
   p.fur_levels = int(input.fur.level.size());
+  p.shaded = scene.fur.shade > 0;
   p.fur_scale[0] = input.fur_scale.x;
   p.fur_scale[1] = input.fur_scale.y;
   p.footprint = camera.pixel * scene.fur.tile * float(input.fur.size) * std::exp2(scene.fur.lod_bias);

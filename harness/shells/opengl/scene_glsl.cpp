@@ -105,6 +105,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(scene.fur.density < 1.0f || !input.style.density.value.empty(), "THINNED");
   define(!input.style.density.value.empty(), "DENSITY_MAP");
   define(coverage_power(scene.fur) != 1, "FRAGMENT_CORRECTION");
+  define(scene.fur.shade == 0.0f, "EVEN_SHADE");
   define(wet, "CLUMPS");
   define(true, fmt::format("CLUMP_READING CLUMP_{}", upper_case(scene.clump.scale)));
   define(true, fmt::format("TANGENT_READING TANGENT_{}", upper_case(scene.shading.tangent)));

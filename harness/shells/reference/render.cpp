@@ -249,6 +249,7 @@ class Painter {
       const glm::dvec3 delta = root_shift(step + curl_step(face, sample, layer_ - 1, layer_), normal, eye);
       return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
     });
+    if (scene.fur.shade == 0.0f) fur.shade = 1.0;  // which the bytes of the texture cannot store
     fur.coverage *= shown(clump, sample, normal, eye) * double(scene.fur.density) *
                     sample_density(input_.style.density, where + clump.d);
     const double h = layer_height(layer_, scene.fur.layers, options_.mutant);

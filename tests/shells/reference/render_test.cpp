@@ -185,6 +185,9 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
   EXPECT_NEAR(middle.y, .4 * 2 / 3 * (.1 + 2 * .6), 1e-6);
   EXPECT_NEAR(middle.z, .2 * 2 / 3 * (.1 + 2 * .6), 1e-6);
   EXPECT_EQ(middle.w, 1);
+  // With fur.shade 0, every strand has the coat's colour, whatever the texture stores.
+  input.scene.fur.shade = 0;
+  EXPECT_NEAR(render(input, {}).at(80, 50).x, .8 * (.1 + 2 * .6), 1e-6);
 }
 
 TEST(ReferenceRender, HalfTransparentLayersAddUpBackToFront) {
