@@ -101,7 +101,9 @@ def table1():
         found = list(cells(name))
         yield title, (
             f"The columns \"paper\" are the numbers that {paper} prints, for a GeForce 8800 GTS. The others are our "
-            "kernels' in the readings `paper` and `pelage`: frames per second, wall time and processor time of a frame."
+            "kernels' in the readings `paper` and `pelage`: frames per second, wall time and processor time of a frame. Both "
+            "draw the mean strand of the triangles around a vertex; a strand for each triangle, as the paper has it, "
+            "takes longer (`fur.binding` in the section \"Readings\")."
         ), markdown(
             ["model", "triangles", "layers", "size", "paper, fps", "reading `paper`, fps", "reading `pelage`, fps",
              "`paper`, ms", "`paper`, processor ms", "`pelage`, ms", "`pelage`, processor ms"],
