@@ -102,6 +102,7 @@ strands_sheet() (
 # processes.
 part table1 scripts/record.sh --repeat 3
 record wet wetfur2010-table1 --preset recorded --repeat 3
+record water wetfur2010-water --repeat 3
 record layers layers --repeat 3
 record update-time banisch2006-{update-time,equal-steps,layers} --repeat 3
 record earlier-methods banisch2006-earlier-methods --repeat 3
@@ -126,7 +127,7 @@ record depth readings --filter depth
 part profile "$PELAGE" profile -o "$runs/profile"
 part profile-strands "$PELAGE" profile demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/profile-strands"
 
-publish results/tables/wet "$runs/wet"
+publish results/tables/wet "$runs"/{wet,water}
 publish results/tables/topology "$runs"/{update-time,earlier-methods,topologies,solvers,substeps,springs,studies}
 publish results/tables/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
 rows=results/avx2 publish results/tables/rivals-avx2 "$runs/avx2"
