@@ -112,7 +112,7 @@ record substeps topology-solvers --axis dynamics.substeps=16 --filter \
   '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
 record springs banisch2006-{work-precision,longest-step,energy,mesh-size,lean}
 record studies topology-{steps,equal-error,jacobian,drift,parting,mesh-scaling}
-record strands shells-vs-strands demoreuille2011-{lod,scaling} --repeat 3
+record strands shells-vs-strands demoreuille2011-{lod,scaling,switches,full} --repeat 3
 record ways strands-opengl-ways
 for preset in quick beyond millions; do record "scaling-$preset" scaling --preset "$preset"; done
 record rivals rivals --repeat 3

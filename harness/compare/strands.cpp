@@ -109,7 +109,8 @@ StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& fram
       strands::has_styles(input.fur.strands) ? tolerance::styled_strand_point : tolerance::strand_point;
   result.checks.push_back({against_reference, "strand_point", worst, limit, false});
   const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look);
-  const std::vector<Entry> order = naive::drawing_order(input.camera, input.range, drawn);
+  const std::vector<Entry> order =
+      naive::drawing_order(input.camera, input.range, drawn, input.look.back_facing);
   std::size_t different =
       std::max(order.size(), frame.order.size()) - std::min(order.size(), frame.order.size());
   for (std::size_t i = 0; i < std::min(order.size(), frame.order.size()); ++i)
@@ -138,7 +139,7 @@ StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStr
   frame.curves = reference_curves(input, keys);
   frame.skin = std::move(skin);
   const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look);
-  frame.order = naive::drawing_order(input.camera, input.range, drawn);
+  frame.order = naive::drawing_order(input.camera, input.range, drawn, input.look.back_facing);
   frame.picture = naive::draw(input.camera, input.look, drawn, frame.order, frame.skin.get());
   return frame;
 }

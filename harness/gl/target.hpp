@@ -13,6 +13,7 @@ class Target {
   /// Throws InputError for another format, and DeviceError if OpenGL cannot draw into it.
   Target(const std::string& format, int width, int height, bool depth);
   GLuint id() const { return framebuffer_.id(); }
+  GLuint colour() const { return colour_.id(); }  ///< the renderbuffer of the colours
   /// Copies the picture to the host. The framebuffer is bound. The y axis of the shaders points down, so the
   /// first row is the top row.
   Picture read() const;

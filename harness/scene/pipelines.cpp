@@ -77,8 +77,7 @@ constexpr PipelineName pipeline_table[] = {
     {"strands", "single strands instead of layers, on OpenCL (docs/strands.md)", strands_ignore},
     {"strands-reference", "naive implementation of strands in double precision on the host", strands_ignore},
     {"strands-raycast", "strands at rest as cones, ray-cast, without shadows of strands", raycast_ignores},
-    {"strands-opengl", "strands in OpenGL, one strip per strand, with a key light and ambient light only",
-     strands_ignore},
+    {"strands-opengl", "strands in OpenGL, one strip per strand", strands_ignore},
     {"opengl", "the pipeline of Silva et al. (2010) in OpenGL, with one pass per layer", shells_ignore},
 };
 

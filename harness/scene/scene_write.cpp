@@ -232,6 +232,15 @@ std::string scene_hash(const Scene& scene) {
       {"contact.mesh_spin", "0.0"},
       {"contact.mesh_frames", "1"},
       {"contact.mesh_after_frames", "\"hold\""},
+      {"strands.back_facing", "\"removed\""},
+      {"drag", "1.0"},
+      {"damping", "1.0"},
+      {"limit", "1.0"},
+      {"opacity", "1.0"},
+      {"taper", "1.0"},
+      {"gloss", "1.0"},
+      {"rim", "[1.0, 1.0, 1.0]"},
+      {"response_map", "\"\""},
   };
   const auto is_hashed = [](const Key& key) {
     return key.name != "pipeline" && std::ranges::none_of(later_keys, [&](const auto& later) {

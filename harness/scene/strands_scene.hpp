@@ -25,16 +25,21 @@ struct StrandLayerScene {
   float twist = 0.0f;                   ///< rotation of a strand about the normal, degrees
   float twist_spread = 0.0f;            ///< greatest random deviation from `twist`, degrees
   int locks = 0;                        ///< number of locks, groups of strands whose tips meet; 0: no locks
-  float lock_pull = 0.7f;         ///< part of the way that a tip moves to the tip of the middle of its lock
-  float stiffness = 1.0f;         ///< factor of the stiffnesses of the chain
-  float response = 1.0f;          ///< factor of a strand's movement away from its direction at rest
-  glm::vec3 colour{1.0f};         ///< factor of the coat's colour
-  float colour_spread = 0.2f;     ///< greatest random deviation of a strand's brightness, as a fraction
-  glm::vec3 region_centre{0.0f};  ///< centre of the ball that the layer's region is limited to, R
-  float region_radius = 0.0f;     ///< radius of this ball in R; 0: the region is the whole surface
-  bool region_outside = false;    ///< true: the region is outside of the ball
-  std::filesystem::path mask;     ///< the layer has strands only where this map is at least 0.5
-  std::filesystem::path density_map, length_map, width_map, stiffness_map;
+  float lock_pull = 0.7f;  ///< part of the way that a tip moves to the tip of the middle of its lock
+  float stiffness = 1.0f;  ///< factor of the stiffnesses of the chain
+  float drag = 1.0f, damping = 1.0f;   ///< factors of the chain's drag and damping
+  float limit = 1.0f;                  ///< factor of the chain's greatest angles
+  float response = 1.0f;               ///< factor of a strand's movement away from its direction at rest
+  float opacity = 1.0f, taper = 1.0f;  ///< factors of StrandsScene::opacity and StrandsScene::taper
+  float gloss = 1.0f;                  ///< factor of the highlight's colour
+  glm::vec3 rim{1.0f};                 ///< factor of StrandsScene::rim
+  glm::vec3 colour{1.0f};              ///< factor of the coat's colour
+  float colour_spread = 0.2f;          ///< greatest random deviation of a strand's brightness, as a fraction
+  glm::vec3 region_centre{0.0f};       ///< centre of the ball that the layer's region is limited to, R
+  float region_radius = 0.0f;          ///< radius of this ball in R; 0: the region is the whole surface
+  bool region_outside = false;         ///< true: the region is outside of the ball
+  std::filesystem::path mask;          ///< the layer has strands only where this map is at least 0.5
+  std::filesystem::path density_map, length_map, width_map, stiffness_map, response_map;
   std::filesystem::path curvature_map, twist_map;  ///< maps of signed angles
   std::filesystem::path comb_map;
   std::filesystem::path film;
@@ -43,7 +48,8 @@ struct StrandLayerScene {
 
   /// True if the strands bend, turn or respond in a way of their own.
   bool is_styled() const {
-    return response != 1 || twist != 0 || twist_spread != 0 || curvature != 0 || curvature_spread != 0;
+    return response != 1 || !response_map.empty() || twist != 0 || twist_spread != 0 || curvature != 0 ||
+           curvature_spread != 0;
   }
 };
 
@@ -72,6 +78,7 @@ struct StrandsScene {
   bool skin = true;  ///< true: the mesh is drawn below the strands and hides those behind it
   int segments = 6;  ///< greatest number of straight segments of a drawn strand
   std::string subdivision = "fixed";
+  std::string back_facing = "removed";
   float fraction = 1.0f;  ///< part of the strands that is drawn; their width grows so that coverage is kept
   float least_width = 0.0f;
   float taper = 0.85f;    ///< part of the width that a strand loses from root to tip

@@ -46,7 +46,7 @@ Identity case_identity(SubjectContext& context, const Case& which, const Samplin
                     {"sampling", hash(text_of(limits))},
                     {"device", device_hash(device_provenance(context.device.info()))},
                     {build_part, build_hash()}};
-  if (which.pipeline == control_pipeline)
+  if (which.pipeline.ends_with(control_suffix))
     identity["baseline"] = scene_hash(scene_of(context.experiment, control_case(context.experiment, which)));
   return identity;
 }

@@ -5,8 +5,8 @@
 
 namespace pelage {
 
-/// The name of the pipeline of against_control_scene() in experiment files.
-inline constexpr std::string_view control_pipeline = "shells+baseline";
+/// How the names of the pipelines of against_control_scene() end in experiment files.
+inline constexpr std::string_view control_suffix = "+baseline";
 
 /// Measures what one change of a scene costs and how it changes the picture. The phase "baseline" is the case
 /// without the settings of its named axes (control_case). The metric "frame_over_baseline" is the case's

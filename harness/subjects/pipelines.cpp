@@ -29,7 +29,7 @@ constexpr Pipeline studies[] = {
        return fewer_layers([&](const Case& fewer) { return frames_of(context, fewer, "shells"); }, which,
                            scene_of(context.experiment, which).fur.layers);
      }},
-    {control_pipeline,
+    {"shells+baseline",
      [](SubjectContext& context, const Case& which) {
        return against_control_scene([&](const Case& scene) { return frames_of(context, scene, "shells"); },
                                     context.experiment, which);
@@ -42,6 +42,11 @@ constexpr Pipeline studies[] = {
     {"shells-drawing",
      [](SubjectContext& context, const Case& which) -> std::unique_ptr<Subject> {
        return std::make_unique<Frames>(context, which, backend_named("shells"), true);
+     }},
+    {"strands+baseline",
+     [](SubjectContext& context, const Case& which) {
+       return against_control_scene([&](const Case& scene) { return frames_of(context, scene, "strands"); },
+                                    context.experiment, which);
      }},
     {"strands+opengl", strands_against_opengl},
     {"strands+raycast",

@@ -3,12 +3,20 @@
 layout(location = 0) in vec4 first;
 layout(location = 1) in vec4 second;
 layout(location = 2) in vec4 third;
+#ifdef LIGHTS
+layout(location = 3) in vec4 fourth;
+layout(location = 4) in vec4 fifth;
+#endif
 #else
 layout(std430, binding = 0) readonly buffer Records { vec4 record[]; };
+#ifdef LIGHTS
+layout(std430, binding = 1) readonly buffer Lights { vec4 light[]; };
+#endif
 #endif
 
 noperspective out vec3 across;
 noperspective out vec3 colour;
+noperspective out float depth;
 
 void main() {
 #ifdef INSTANCED
@@ -16,6 +24,9 @@ void main() {
 #else
   int strand = gl_VertexID / (2 * SEGMENTS + 2), vertex = gl_VertexID % (2 * SEGMENTS + 2);
   vec4 first = record[3 * strand], second = record[3 * strand + 1], third = record[3 * strand + 2];
+#ifdef LIGHTS
+  vec4 fourth = light[2 * strand], fifth = light[2 * strand + 1];
+#endif
 #endif
   Strand s;
   s.root = first.xyz;
@@ -23,8 +34,21 @@ void main() {
   s.tip = vec3(second.zw, third.x);
   s.radius = third.y;
   s.colour = unpackUnorm4x8(floatBitsToUint(third.z)).rgb;
+#ifdef LIGHTS
+  s.frame = int(floatBitsToUint(third.z) >> 24);
+  s.height = fourth.xy;
+  s.own_opacity = fourth.z;
+  s.own_taper = fourth.w;
+  s.steady = fifth.xyz;
+  s.gloss = fifth.w;
+#endif
   Vertex v = strip_vertex(s, vertex >> 1, (vertex & 1) != 0 ? 1.0 : -1.0);
   across = v.across;
   colour = v.colour;
+  depth = v.depth;
+#ifdef MAP
+  gl_Position = vec4(v.at / vec2(HALF_WIDTH, HALF_HEIGHT), 0.0, 1.0);
+#else
   gl_Position = vec4(v.at / vec2(HALF_WIDTH, HALF_HEIGHT) * v.depth, NEAR, v.depth);
+#endif
 }

@@ -1,6 +1,8 @@
-// The strip of a strand (docs/strands.md, section Drawing). harness/strands/opengl/ribbons.cpp puts the constants before
+// The strip of a strand (docs/strands.md, section Drawing). harness/strands/opengl/shaders.cpp puts the constants before
 // this file: PIXEL is the side of a pixel at the view depth 1 in R, HALF_WIDTH and HALF_HEIGHT half of the picture's size in
 // pixels, NEAR the view depth of the near plane. The other constants are those of `Look` in harness/strands/drawing/drawing.hpp.
+// LIGHTS: the look has more than a key light and ambient light. MAP: an opacity map is drawn. Its projection is parallel, and
+// PIXEL is the side of a texel in R.
 
 // The control points of the strand: X, Y and W (the view depth in R). X and Y are W times the distance from the image centre
 // in pixels.
@@ -8,6 +10,12 @@ struct Strand {
   vec3 root, joint, tip;
   float radius;  // half of the width at the root, divided by PIXEL
   vec3 colour;
+#ifdef LIGHTS
+  int frame;                             // of the film strip
+  vec2 height;                           // of joint and tip above the skin, divided by SKIN_SHADOW_HEIGHT times the length
+  float own_opacity, own_taper, gloss;   // factors of the fur layer
+  vec3 steady;                           // light that does not change along the strand
+#endif
 };
 
 vec3 curve(Strand s, float t) {
@@ -15,9 +23,17 @@ vec3 curve(Strand s, float t) {
   return r * r * s.root + 2.0 * r * t * s.joint + t * t * s.tip;
 }
 
+float per_depth(float depth) {
+#ifdef MAP
+  return 1.0;
+#else
+  return 1.0 / depth;
+#endif
+}
+
 vec2 place(Strand s, float t) {
   vec3 p = curve(s, t);
-  return p.xy / p.z;
+  return p.xy * per_depth(p.z);
 }
 
 vec2 direction(vec2 a, vec2 b) {
@@ -28,14 +44,45 @@ vec2 direction(vec2 a, vec2 b) {
 
 vec3 camera_axes(vec3 v) { return vec3(v.xy * PIXEL, v.z); }
 
-// Light of Kajiya and Kay on a hair.
-vec3 hair_light(Strand s, float t) {
-  vec3 tangent = normalize(camera_axes(mix(s.joint - s.root, s.tip - s.joint, t)));
+// The number of segments of the strip (docs/strands.md, section Segments).
+int segments_of(Strand s) {
+#if OWN_SEGMENTS
+  float nearest = min(s.root.z, min(s.joint.z, s.tip.z));
+  if (nearest < NEAR) return SEGMENTS;
+  float pixels = length(camera_axes(s.root - 2.0 * s.joint + s.tip)) / (nearest * PIXEL);
+  return clamp(int(ceil(sqrt(min(pixels, 1024.0)))), min(3, SEGMENTS), SEGMENTS);
+#else
+  return SEGMENTS;
+#endif
+}
+
+// Luminance, gloss and opacity of the film strip.
+vec3 film_at(Strand s, float t) {
+#ifdef LIGHTS
+  float at = 7.0 * t;
+  int first = min(int(at), 6);
+  return mix(film[8 * s.frame + first].xyz, film[8 * s.frame + first + 1].xyz, at - float(first)) * vec3(1.0, s.gloss, s.own_opacity);
+#else
+  return vec3(1.0);
+#endif
+}
+
+// Light of Kajiya and Kay on a hair, and the lights of section Light. key: part of the key light that arrives.
+vec3 hair_light(Strand s, float t, vec3 film_factors, float key) {
+  vec3 slope = camera_axes(mix(s.joint - s.root, s.tip - s.joint, t)), start = camera_axes(s.joint - s.root);
+  vec3 tangent = normalize(length(slope) < length(start) / 1024.0 ? start : slope);
   vec3 from_eye = normalize(camera_axes(s.joint));
   float along_light = dot(tangent, LIGHT), along_eye = dot(tangent, from_eye);
   float across_light = length(cross(tangent, LIGHT)), across_eye = length(cross(tangent, from_eye));
   float mirror = max(0.0, along_light * along_eye + across_light * across_eye);
-  return s.colour * (AMBIENT + INTENSITY * across_light) + SPECULAR * (INTENSITY * pow(mirror, EXPONENT));
+  float shine = INTENSITY * key * film_factors.y * pow(mirror, EXPONENT), diffuse = INTENSITY * key * across_light;
+#ifdef LIGHTS
+  float height = clamp(2.0 * t * (1.0 - t) * s.height.x + t * t * s.height.y, 0.0, 1.0);
+  float bright = film_factors.x * (1.0 - SKIN_SHADOW * (1.0 - height));
+  return bright * (s.steady + s.colour * diffuse + SPECULAR * shine);
+#else
+  return s.colour * (AMBIENT + diffuse) + SPECULAR * shine;
+#endif
 }
 
 // A vertex of the strip: k is the number of the curve's vertex, and side is -1 or 1. The strip is half a pixel wider than the
@@ -48,23 +95,35 @@ struct Vertex {
 };
 
 Vertex strip_vertex(Strand s, int k, float side) {
-  float t = float(k) / float(SEGMENTS);
+  int segments = segments_of(s);
+  k = min(k, segments);   // the other vertices of the strip lie at the tip
+  float t = float(k) / float(segments);
   vec3 p = curve(s, t);
-  vec2 here = p.xy / p.z;
-  vec2 before = k > 0 ? direction(place(s, float(k - 1) / float(SEGMENTS)), here) : vec2(0.0);
-  vec2 behind = k < SEGMENTS ? direction(here, place(s, float(k + 1) / float(SEGMENTS))) : vec2(0.0);
+  vec2 here = p.xy * per_depth(p.z);
+  vec2 before = k > 0 ? direction(place(s, float(k - 1) / float(segments)), here) : vec2(0.0);
+  vec2 behind = k < segments ? direction(here, place(s, float(k + 1) / float(segments))) : vec2(0.0);
   vec2 mitre = before + behind;
   float square = dot(mitre, mitre);
   mitre = square > 1e-12 ? mitre * inversesqrt(square) : vec2(0.0);
   vec2 along = k > 0 ? before : behind;
   Vertex v;
-  float radius = s.radius * (1.0 - TAPER * t) / p.z;
+#ifdef LIGHTS
+  float taper = TAPER * s.own_taper;
+#else
+  float taper = TAPER;
+#endif
+  float radius = s.radius * (1.0 - taper * t) * per_depth(p.z);
   // A mitre of more than 90 degrees is shortened.
   float stretch = 1.0 / max(dot(mitre, along), 0.70710678);
   float distance = side * (radius + 0.5);
+  vec3 factors = film_at(s, t);
   v.at = here + vec2(-mitre.y, mitre.x) * (distance * stretch);
   v.depth = p.z;
-  v.across = vec3(distance, radius, OPACITY * (1.0 - t * t * t));
-  v.colour = hair_light(s, t);
+  v.across = vec3(distance, radius, OPACITY * factors.z * (1.0 - t * t * t));
+#ifdef MAP
+  v.colour = vec3(0.0);
+#else
+  v.colour = hair_light(s, t, factors, key_light(p));
+#endif
   return v;
 }

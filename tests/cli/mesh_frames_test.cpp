@@ -66,6 +66,8 @@ TEST_F(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
     EXPECT_TRUE(within(found)) << time << " s: " << found.psnr << " dB, " << found.flips << " flips";
     EXPECT_LT(compare(device, rest).psnr, 35);
   }
+  const Outcome opengl = pelage("render scene.toml --pipeline strands-opengl -o a.png");
+  if (!has(opengl.err, "no OpenGL")) expect_refused(opengl, "does not deform", true);
   const Picture held = drawn(folder, "--pipeline strands --set dynamics.time=0.5");
   const Picture repeated =
       drawn(folder, "--pipeline strands --set dynamics.time=0.5 --set mesh.after_frames=repeat");

@@ -57,18 +57,17 @@ TEST_F(Strands, ChainsAreNoMotionOfShells) {
         "dynamics.topology");
 }
 
-TEST_F(Strands, TheOpenGlBaselineRefusesWhatItDoesNotDraw) {
-  const std::string plain =
-      "[[shading.light]]\nintensity = 1.0\n[strands]\nskin_shadow = 0\nshadow = \"none\"\nskin = false\n";
+TEST_F(Strands, TheOpenGlBaselineDrawsTheWholeLook) {
   const auto draw = [&](const std::string& rest) {
-    folder.write("mine.toml", "pipeline = \"strands-opengl\"\n" + plain + rest);
+    folder.write("mine.toml", "pipeline = \"strands-opengl\"\n[strands]\n" + rest);
     return pelage("render mine.toml -o a.png --model torus-24x12 --size 16x16");
   };
   const Outcome drawn = draw("[[strands.layer]]\ncount = 50\n");
   if (has(drawn.err, "no OpenGL")) GTEST_SKIP() << "there is no OpenGL";
   EXPECT_EQ(drawn.code, 0) << drawn.err;
-  expect_refused(draw("fraction = 0.5\n"), "draws all strands", true);
-  expect_refused(draw("[[strands.layer]]\ncount = 50\ntwist_spread = 3\n"), "draws plain strands", true);
+  for (const char* rest :
+       {"fraction = 0.5\n", "[[strands.layer]]\ncount = 50\ntwist_spread = 3\ngloss = 2.0\n"})
+    EXPECT_EQ(draw(rest).code, 0);
 }
 
 TEST_F(Strands, AnExperimentTimesThemAlone) {

@@ -104,7 +104,7 @@ TEST(SceneRoundTrip, EveryKeyAloneSurvives) {
 TEST(SceneRoundTrip, ManyKeysTogetherSurvive) {
   std::mt19937 random(2);
   int read = 0;
-  for (int attempt = 0; attempt < 1500; ++attempt) {
+  for (int attempt = 0; attempt < 3000; ++attempt) {
     Scene scene;
     for (const Key& key : scene_keys(scene))
       if (random() % 3 == 0) vary(key, random);

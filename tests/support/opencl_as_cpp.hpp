@@ -4,6 +4,7 @@
 // kernels/ must be on the include path.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -36,6 +37,9 @@ inline real gather(const float* table, whole i) {
 }
 inline whole gather_whole(const std::int32_t* table, whole i) {
   return table[i];
+}
+inline real bits_as_real(whole bits) {
+  return real(std::bit_cast<float>(bits));
 }
 inline real floor_real(real x) {
   return floor(x);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -96,6 +97,10 @@ void check(const ChainDynamics& d) {
     throw InputError("distance field of the body: it must have at least 2 nodes along each axis");
 }
 
+bool has_own_damping(const std::vector<Chain>& chains) {
+  return std::ranges::any_of(chains, [](const Chain& c) { return c.drag != 1 || c.damping != 1; });
+}
+
 ChainParams params(const ChainDynamics& d) {
   const double l1 = double(d.first_segment), l2 = 1 - l1, m2 = double(d.tip_mass);
   const double c = double(d.drag), d1 = double(d.damping_first), d2 = double(d.damping_second);
@@ -109,6 +114,11 @@ ChainParams params(const ChainDynamics& d) {
   p.lever_second = float(m2 * l2);
   p.air_first = float(c * l1);
   p.air_second = float(c * m2 * l2);
+  p.drag_first = float(c * l1 * l1);
+  p.drag_second = float(c * m2 * l2 * l2);
+  p.drag_both = float(c * m2 * l1 * l2);
+  p.joint_damping = float(d1 + d2);
+  p.tip_damping = float(d2);
   p.damping_first = float(c * l1 * l1 + d1 + d2);
   p.damping_second = float(c * m2 * l2 * l2 + d2);
   p.damping_both = float(c * m2 * l1 * l2 - d2);
@@ -144,6 +154,8 @@ std::vector<float> strand_columns(const std::vector<Chain>& chains, const spring
     in_range("stiffness of a strand's second segment (1/s^2)", chain.stiffness_second, 0, 1e8f);
     in_range("largest angle of a strand's first segment (degrees)", chain.limit_first, 1, 180);
     in_range("largest angle of a strand's second segment (degrees)", chain.limit_second, 1, 180);
+    in_range("factor of a strand's drag", chain.drag, 0, 100);
+    in_range("factor of a strand's damping", chain.damping, 0, 100);
     const double phase = springs::gust_phase(wind, chain.root);
     const auto put = [&](int column, float value) {
       table[column_of(i, STRAND_COLUMNS, std::size_t(column))] = value;
@@ -160,6 +172,8 @@ std::vector<float> strand_columns(const std::vector<Chain>& chains, const spring
     put(STRAND_LIMIT_SECOND, cosine(chain.limit_second));
     put(STRAND_PHASE_COS, float(std::cos(phase)));
     put(STRAND_PHASE_SIN, float(std::sin(phase)));
+    put(STRAND_DRAG, chain.drag);
+    put(STRAND_DAMPING, chain.damping);
   }
   return table;
 }

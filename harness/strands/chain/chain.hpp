@@ -24,6 +24,7 @@ struct Chain {
   float stiffness_second = 400;  ///< stiffness k2 between the two segments, 1/s^2
   float limit_first = 80;        ///< largest angle between the rest direction and the first segment, degrees
   float limit_second = 80;       ///< largest angle between the two segments, degrees
+  float drag = 1, damping = 1;   ///< factors of the drag and of both dampings of ChainDynamics
 };
 
 /// The state of one strand: directions of its segments in the world (unit vectors) and their derivatives with
@@ -59,6 +60,9 @@ struct ChainDynamics {
 /// Throws InputError if a value is not finite or outside its valid range. The message names the value and the
 /// valid range.
 void check(const ChainDynamics& dynamics);
+
+/// Returns whether some chain has a drag or a damping of its own: a factor other than 1.
+bool has_own_damping(const std::vector<Chain>& chains);
 
 /// Returns the kernels' constants. Members that depend on the launch or on the number of strands are 0.
 ChainParams params(const ChainDynamics& dynamics);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 
 #include "harness/error.hpp"
@@ -36,7 +38,12 @@ std::array<double, 9> basis_at(glm::dvec3 n) {
 }
 
 bool has_lights(const Look& look) {
-  return !look.fills.empty() || look.rim != glm::vec3(0) || look.skin_shadow != 0 || !look.film.empty();
+  return !look.fills.empty() || look.rim != glm::vec3(0) || look.skin_shadow != 0 || !look.film.empty() ||
+         has_layer_looks(look);
+}
+
+bool has_layer_looks(const Look& look) {
+  return std::ranges::any_of(look.layers, &LayerLook::has_own_look);
 }
 
 Irradiance irradiance_of(const Look& look) {
@@ -90,7 +97,12 @@ void check(const Look& look) {
   in_range("number of fur layers", float(look.layers.size()), 0, float(most_layers));
   const int frames = std::max(1, int(look.film.size()));
   for (const LayerLook& layer : look.layers) {
-    in_range("rank of a fur layer", float(layer.rank), 0, 255);
+    in_range("rank of a fur layer", float(layer.rank), 0, look.back_facing == BackFacing::last ? 254 : 255);
+    in_range("opacity of a fur layer", look.opacity * layer.opacity, 0, 1);
+    in_range("taper of a fur layer", look.taper * layer.taper, 0, 1);
+    in_range("factor of the highlight of a fur layer", layer.gloss, 0, 1000);
+    for (int axis = 0; axis < 3; ++axis)
+      in_range("factor of the rim light of a fur layer", layer.rim[axis], 0, 1000);
     in_range("first film frame of a fur layer", float(layer.first_frame), 0, float(frames - 1));
     in_range("number of film frames of a fur layer", float(layer.frames), 1,
              float(frames - layer.first_frame));
@@ -116,6 +128,21 @@ LightView light_view(const Look& look) {
   view.texel = float(texel);
   view.size = look.shadow.size;
   return view;
+}
+
+MapRows map_rows(const Camera& camera, const Look& look) {
+  const LightView light = light_view(look);
+  // The columns of a matrix of GLM are the rows of the camera, so `camera_of` transposed maps (p, 1) to
+  // (X, Y, W, 1).
+  const glm::dmat4 camera_of(glm::dvec4(camera.row_x), glm::dvec4(camera.row_y), glm::dvec4(camera.row_w),
+                             glm::dvec4(0, 0, 0, 1));
+  const glm::dmat4 inverse = glm::inverse(camera_of);
+  // row . (p, 1) = (row M^-1) . (X, Y, W, 1), with the matrix M whose rows are those of the camera.
+  const auto from_view = [&](glm::dvec4 row) { return inverse * row; };
+  const glm::dvec4 centre(0, 0, 0, 0.5 * light.size - 0.5);
+  return {glm::vec4(from_view(glm::dvec4(light.row_x)) + centre),
+          glm::vec4(from_view(glm::dvec4(light.row_y)) + centre),
+          glm::vec4(from_view(glm::dvec4(light.row_z)))};
 }
 
 SkinSurface skin_surface(const Mesh& mesh, const CoatTexture& coat, glm::vec3 factor) {

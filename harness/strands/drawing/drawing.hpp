@@ -48,12 +48,22 @@ struct ShadowLook {
   float radius = 1.25f;  ///< radius of a ball around the object's origin that contains all strands, R
 };
 
-/// The place of a fur layer in the order of drawing, and its frames of the film strip.
+/// The place of a fur layer in the order of drawing, its frames of the film strip, and its look: factors of
+/// values of Look.
 struct LayerLook {
   int rank = 0;  ///< strands of a lower rank are in front of all strands of a higher rank; 0 to 255
   int first_frame = 0, frames = 1;  ///< the layer uses `frames` frames of Look::film from `first_frame` on
+  float opacity = 1, taper = 1;     ///< at least 0; the products with those of Look are at most 1
+  float gloss = 1;                  ///< factor of Look::specular, at least 0
+  glm::vec3 rim{1};                 ///< factor of Look::rim, at least 0
   bool operator==(const LayerLook&) const = default;
+
+  bool has_own_look() const { return opacity != 1 || taper != 1 || gloss != 1 || rim != glm::vec3(1); }
 };
+
+/// What happens to strands that face away from the camera: they are left out before the sort; or they are
+/// sorted behind all others and left out there; or they are drawn.
+enum class BackFacing { removed, last, drawn };
 
 /// The values that all strands of a picture share.
 struct Look {
@@ -62,7 +72,9 @@ struct Look {
   float fraction = 1;
   /// Factor of the widths of all strands, above 0 and at most 1, from overlap_factor(); 1 if fraction is 1.
   float width_factor = 1;
-  int segments = 6;                     ///< number of straight segments that a curve is divided into, 1 to 7
+  int segments = 6;           ///< number of straight segments that a curve is divided into, 1 to 7
+  bool own_segments = false;  ///< true: each strand has as many segments as it needs, at most `segments`
+  BackFacing back_facing = BackFacing::removed;
   float taper = 0.85f;                  ///< part of the width that a strand loses from root to tip, 0 to 1
   float opacity = 0.85f;                ///< alpha of a strand at its root, 0 to 1; it falls to 0 at the tip
   glm::vec3 light{0.25f, 1.0f, -0.4f};  ///< direction towards the key light, of any length above 0
@@ -104,8 +116,11 @@ DepthRange depth_range(const Camera& camera, float radius);
 /// sh[3] to l = 1 and sh[4] to sh[8] to l = 2. irradiance() multiplies them with a basis() of a normal n.
 using Irradiance = std::array<glm::vec3, 9>;
 
-/// Returns whether the look has more than a key light and ambient light.
+/// Returns whether the look has more than a key light and ambient light, or layers with looks of their own.
 bool has_lights(const Look& look);
+
+/// Returns whether some fur layer has a factor of opacity, taper, gloss or rim light other than 1.
+bool has_layer_looks(const Look& look);
 
 /// Returns the coefficients of F of docs/strands.md, section Light. Coefficients above look.bands are 0.
 Irradiance irradiance_of(const Look& look);
@@ -134,6 +149,13 @@ struct LightView {
 /// Returns the view along look.light of a map with look.shadow.size texels per side. The ball with the radius
 /// look.shadow.radius around the object's origin fills the map, with a margin of two texels on each side.
 LightView light_view(const Look& look);
+
+/// The products of these rows with (X, Y, W, 1), the view coordinates of a point, are its column and its row
+/// in the opacity map, in texels from the centre of the first texel, and its depth from the light in R.
+struct MapRows {
+  glm::vec4 column{0}, row{0}, depth{0};
+};
+MapRows map_rows(const Camera& camera, const Look& look);
 
 /// A triangle mesh with colours. Positions and normals are in the object's frame. position, normal and colour
 /// have one element per vertex.

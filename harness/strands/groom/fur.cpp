@@ -93,7 +93,7 @@ class Strands {
     const double length = double(layer.length) * around(1, layer.length_spread, lengths_);
     s.length = float(std::max(length * maps_.length.at(uv), least_size));
     s.width = float(std::max(double(layer.width) * maps_.width.at(uv), least_size));
-    s.response = layer.response;
+    s.response = float(double(layer.response) * maps_.response.at(uv));
     const double twist = around(layer.twist, layer.twist_spread, twists_) * maps_.twist.sign_at(uv);
     const double curvature =
         around(layer.curvature, layer.curvature_spread, curvatures_) * maps_.curvature.sign_at(uv);
@@ -226,8 +226,8 @@ void set_chains(Fur& fur, const ChainScene& chain) {
   for (Chain& each : fur.chains) {
     each.stiffness_first *= chain.stiffness;
     each.stiffness_second *= chain.stiffness_joint;
-    each.limit_first = chain.limit;
-    each.limit_second = chain.limit_joint;
+    each.limit_first = std::clamp(each.limit_first * chain.limit, 1.0f, 180.0f);
+    each.limit_second = std::clamp(each.limit_second * chain.limit_joint, 1.0f, 180.0f);
   }
 }
 
@@ -293,6 +293,8 @@ std::string key_of(const Mesh& mesh, const StrandsScene& strands, const CoatText
   for (StrandLayerScene& layer : scene.strands.layers) {
     layer.order_bias = StrandLayerScene{}.order_bias;
     layer.order_offset = StrandLayerScene{}.order_offset;
+    layer.opacity = layer.taper = layer.gloss = 1;
+    layer.rim = glm::vec3(1);
   }
   return Hash()
       .text(mesh.hash)

@@ -38,14 +38,14 @@ struct Fur {
 Fur grow(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat);
 
 /// The two steps of grow(). grow_layers() reads only `strands.layers` and `strands.chain.first_segment`. The
-/// stiffnesses of the chains that grow_layers() returns are the factors of the
-/// layers. set_chains() multiplies them by the stiffnesses of the scene, and sets the limits of the angles.
+/// stiffnesses and limits of the chains that grow_layers() returns are the factors of the layers.
+/// set_chains() multiplies them by those of the scene.
 Fur grow_layers(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat);
 void set_chains(Fur& fur, const ChainScene& chain);
 
 /// Version of the code that grows fur. The name of every cache file contains it. Increase it whenever a
 /// change of the code changes the fur. tests/strands/groom/fur_cache_test.cpp detects such changes by a hash.
-constexpr int fur_recipe = 3;
+constexpr int fur_recipe = 4;
 
 /// Returns the same fur as grow(). Reads it from the cache if it was grown before for the same mesh, coat and
 /// fur layers, including the content of their pictures. Grows it again if the cache file is damaged. If the

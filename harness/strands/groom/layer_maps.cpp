@@ -48,6 +48,7 @@ LayerMaps::LayerMaps(const StrandLayerScene& of, const std::string& called)
       length(of.length_map, called + ".length_map"),
       width(of.width_map, called + ".width_map"),
       stiffness(of.stiffness_map, called + ".stiffness_map"),
+      response(of.response_map, called + ".response_map"),
       curvature(of.curvature_map, called + ".curvature_map"),
       twist(of.twist_map, called + ".twist_map"),
       most_density_(density_map.most()) {

@@ -98,6 +98,9 @@ KeyStrands key_strands(const Mesh& mesh, const Skin& skin, const LayerMaps& maps
         std::clamp(float(double(layer.length) * point.length / point.copies), least_length, most_length);
     chain.stiffness_first = chain.stiffness_second =
         float(double(layer.stiffness) * point.stiffness / point.copies);
+    chain.drag = layer.drag;
+    chain.damping = layer.damping;
+    chain.limit_first = chain.limit_second = layer.limit;
     result.chains.push_back(chain);
     result.point.push_back(w);
   }

@@ -37,7 +37,7 @@ struct LayerMaps {
 
   StrandLayerScene layer;
   std::string name;
-  LumaMap mask, density_map, length, width, stiffness, curvature, twist;
+  LumaMap mask, density_map, length, width, stiffness, response, curvature, twist;
   std::optional<PictureMap> comb;
 
  private:
@@ -56,7 +56,7 @@ struct LayerMaps {
 /// Key strands at rest and the constants of their chains, in the same order.
 struct KeyStrands {
   std::vector<KeyStrand> keys;
-  /// The stiffnesses of a chain are factors here: those of the fur layer and of its map.
+  /// The stiffnesses and the limits of a chain are factors here: those of the fur layer and of its map.
   std::vector<Chain> chains;
   std::vector<std::uint32_t> point;  ///< the surface point (Mesh::weld) at each root
   /// For each surface point (Mesh::weld), the index of its key strand. The value is meaningless for a point

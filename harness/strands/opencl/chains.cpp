@@ -26,7 +26,8 @@ Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const C
       dynamics_(dynamics),
       params_((check(dynamics), params(dynamics))),
       lanes_(cl::lanes_of(queue.device().info(), options.lanes)),
-      program_(queue.device(), chain_text(dynamics, lanes_, false)),
+      own_damping_(has_own_damping(chains)),
+      program_(queue.device(), chain_text(dynamics, lanes_, false, own_damping_)),
       key_program_(queue.device(), chain_keys_text(lanes_)),
       frame_(program_, "chain_frame"),
       write_keys_(key_program_, "chain_keys"),
@@ -62,7 +63,7 @@ void Chains::set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinF
   if (springs::turns(dynamics_.motion) || m.velocity != glm::vec3(0) || m.shake != glm::vec3(0))
     throw InputError("skin of the strands: its frames contain the motion, so the object must not move");
   const std::vector<float> first = skin_columns(from, strands_), last = skin_columns(to, strands_);
-  if (!skin_) skin_.emplace(queue.device(), chain_text(dynamics_, lanes_, true), room_);
+  if (!skin_) skin_.emplace(queue.device(), chain_text(dynamics_, lanes_, true, own_damping_), room_);
   skin_->from = cl::uploaded(queue, first);
   skin_->to = cl::uploaded(queue, last);
   skin_->first_step = steps_;

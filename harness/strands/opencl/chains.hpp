@@ -80,6 +80,7 @@ class Chains {
   ChainDynamics dynamics_;
   ChainParams params_;
   int lanes_;
+  bool own_damping_;
   std::size_t room_ = 0;  ///< number of strands in the tables whose names begin with some_
   cl::Program program_, key_program_;
   cl::Kernel frame_, write_keys_;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "harness/error.hpp"
 #include "harness/strands/drawing/detail.hpp"
@@ -14,7 +16,7 @@ namespace {
 using cl::copy;
 
 constexpr std::size_t slice = 16;
-constexpr int most_chunks = 65536, most_layers = 256;
+constexpr int most_chunks = 65536, most_layers = 256, most_frames = 256;
 
 int chunks_of(const cl::Device& device, int wanted) {
   if (wanted < 0 || wanted > most_chunks)
@@ -47,6 +49,10 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   p.first_segment = scene.first_segment;
   p.slope = (1 - scene.first_segment) / scene.first_segment;
   p.segments = look.segments;
+  p.own_segments = look.own_segments ? 1 : 0;
+  p.back_facing = look.back_facing == BackFacing::removed ? BACK_REMOVED
+                  : look.back_facing == BackFacing::last  ? BACK_LAST
+                                                          : BACK_DRAWN;
   p.taper = look.taper;
   p.opacity = look.opacity;
   const glm::dvec3 light = glm::normalize(glm::dvec3(look.light));
@@ -72,26 +78,53 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   return p;
 }
 
-/// The film strip in the kernels' layout. Without a film strip, the result has one frame of factors 1.
-std::vector<std::int32_t> film_table(const Look& look) {
-  std::vector<std::int32_t> table;
-  const std::vector<FilmFrame> one(1);
-  for (const FilmFrame& frame : look.film.empty() ? one : look.film)
+/// Appends frames in the kernels' layout.
+void add_frames(std::span<const FilmFrame> frames, const LayerLook& layer, std::vector<std::int32_t>& table) {
+  for (const FilmFrame& frame : frames) {
     for (const FilmSample& sample : frame)
       table.push_back(sample.luminance | sample.gloss << 8 | sample.opacity << 16);
+    for (const float factor : {layer.opacity, layer.taper, layer.gloss, 0.0f})
+      table.push_back(std::bit_cast<std::int32_t>(factor));
+  }
+}
+
+/// The film strip in the kernels' layout. Without a film strip, it has one frame of factors 1. If some layer
+/// has a look of its own, the table has the frames of one layer after the other.
+std::vector<std::int32_t> film_table(const Look& look) {
+  const std::vector<FilmFrame> one(1);
+  const std::span<const FilmFrame> film = look.film.empty() ? one : look.film;
+  std::vector<std::int32_t> table;
+  if (!has_layer_looks(look)) {
+    add_frames(film, {}, table);
+    return table;
+  }
+  for (const LayerLook& layer : look.layers)
+    add_frames(film.subspan(std::size_t(layer.first_frame), std::size_t(layer.frames)), layer, table);
+  if (table.size() > std::size_t(most_frames) * FILM_RECORD)
+    throw InputError(fmt::format(
+        "film strips: {} frames; fur layers with an opacity, taper, gloss or rim light of their own may have {} frames together",
+        table.size() / FILM_RECORD, most_frames));
   return table;
 }
 
-/// Returns the values of the fur layers 0 to 255.
+/// Returns the values of the fur layers 0 to 255. Their frames are those of film_table().
 std::vector<LayerLook> layers_of(const Look& look) {
   std::vector<LayerLook> layers;
   layers.reserve(most_layers);
-  for (int layer = 0; layer < most_layers; ++layer) layers.push_back(layer_look(look, layer));
+  int frames = 0;
+  for (int layer = 0; layer < most_layers; ++layer) {
+    layers.push_back(layer_look(look, layer));
+    if (!has_layer_looks(look)) continue;
+    layers.back().first_frame = frames;
+    frames += layer < int(look.layers.size()) ? layers.back().frames : 0;
+  }
   return layers;
 }
 
 /// Number of bits that the sort keys of the strands use.
-int key_bits_of(const std::vector<KeyedStrand>& strands, const std::vector<LayerLook>& layers) {
+int key_bits_of(const Look& look, const std::vector<KeyedStrand>& strands,
+                const std::vector<LayerLook>& layers) {
+  if (look.back_facing == BackFacing::last) return 32;
   const bool ranks = std::any_of(strands.begin(), strands.end(),
                                  [&](const KeyedStrand& s) { return layers[s.layer].rank > 0; });
   return ranks ? 32 : 24;
@@ -100,9 +133,24 @@ int key_bits_of(const std::vector<KeyedStrand>& strands, const std::vector<Layer
 /// The fur layers in the kernels' layout: LAYER_RECORD integers each.
 std::vector<std::int32_t> layer_table(const std::vector<LayerLook>& layers) {
   std::vector<std::int32_t> table;
-  for (const LayerLook& layer : layers)
-    table.insert(table.end(), {layer.rank, layer.first_frame, layer.frames, 0});
+  for (const LayerLook& layer : layers) {
+    table.insert(table.end(), {layer.rank, layer.first_frame, layer.frames});
+    for (const float factor : {layer.rim.x, layer.rim.y, layer.rim.z, 0.0f, 0.0f})
+      table.push_back(std::bit_cast<std::int32_t>(factor));
+  }
   return table;
+}
+
+/// Throws InputError if layers have looks of their own, but a strand's layer has no entry in look.layers.
+void need_looks(const Look& look, const std::vector<KeyedStrand>& strands) {
+  if (look.back_facing == BackFacing::last)
+    for (const KeyedStrand& s : strands)
+      if (layer_look(look, s.layer).rank > 254)
+        throw InputError("fur layers: with strands that face away last, at most 255 ranks are possible");
+  if (!has_layer_looks(look)) return;
+  for (const KeyedStrand& s : strands)
+    if (s.layer >= look.layers.size())
+      throw InputError(fmt::format("fur layer {}: it has no look; give one for each layer", s.layer));
 }
 
 bool same_size(const Camera& a, const Camera& b) {
@@ -110,7 +158,7 @@ bool same_size(const Camera& a, const Camera& b) {
 }
 
 PictureKinds kinds_of(const Look& look, const std::vector<KeyedStrand>& strands) {
-  return {has_lights(look), has_styles(strands), look.shadow.reading};
+  return {has_lights(look), has_styles(strands), has_layer_looks(look), look.shadow.reading};
 }
 
 }  // namespace
@@ -124,8 +172,9 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
       layout_(layout_of(queue.device().info(), scene.camera.width, scene.camera.height, options)),
       sort_(queue.device(), options.runs),
       params_(params_of(scene, layout_.tile, chunks_of(queue.device(), options.chunks))),
-      key_bits_(key_bits_of(strands_, layers_)) {
+      key_bits_(key_bits_of(scene.look, strands_, layers_)) {
   if (strands.empty()) throw InputError("strands: there are none; at least one is needed");
+  need_looks(scene.look, strands_);
   const cl::Device& device = queue.device();
   constants_ = cl::uploaded(queue, keyed_columns(strands, keys));
   keys_ = cl::Buffer<float>(device, (keys + slice - 1) / slice * slice * KEY_RECORD);
@@ -156,6 +205,7 @@ void Drawer::set_pruning(const Look& look) {
 }
 
 bool Drawer::can_show(const DrawingScene& scene) const {
+  check(scene.look);
   return same_size(scene.camera, scene_.camera) && film_table(scene.look) == film_table(scene_.look) &&
          kinds_of(scene.look, strands_) == kinds_ && scene.look.shadow.size == scene_.look.shadow.size &&
          scene.skin == scene_.skin;
@@ -169,6 +219,7 @@ void Drawer::set_view(const DrawingScene& scene) {
   if (!can_show(scene))
     throw InputError(
         "view: another film strip, other kinds of light, another shadow or another skin need a new drawer");
+  need_looks(scene.look, strands_);
   DrawParams p = params_of(scene, layout_.tile, params_.chunks);
   p.runs = params_.runs;
   p.capacity = params_.capacity;
@@ -176,7 +227,7 @@ void Drawer::set_view(const DrawingScene& scene) {
   scene_ = scene;
   layers_ = layers_of(scene.look);
   layers_written_ = false;
-  key_bits_ = key_bits_of(strands_, layers_);
+  key_bits_ = key_bits_of(scene.look, strands_, layers_);
   set_pruning(scene.look);
 }
 
@@ -214,7 +265,10 @@ std::vector<Entry> Drawer::order(const cl::Queue& queue) const {
   pass_->pairs().read(queue, std::span<cl::Pair>(pairs));
   std::vector<Entry> order;
   order.reserve(pairs.size());
-  for (const cl::Pair& pair : pairs) order.push_back({pair.key, pair.value});
+  for (const cl::Pair& pair : pairs) {
+    if (params_.back_facing == BACK_LAST && pair.key == LAST_KEY) break;  // the strands behind are not drawn
+    order.push_back({pair.key, pair.value});
+  }
   return order;
 }
 

@@ -38,8 +38,8 @@ std::string options_of(const PictureKinds& kinds) {
   const int shadow = kinds.shadow == Shadow::none     ? SHADOW_NONE
                      : kinds.shadow == Shadow::linear ? SHADOW_LINEAR
                                                       : SHADOW_EXPONENTIAL;
-  return fmt::format("-D STRAND_LIGHTS={} -D STRAND_STYLES={} -D STRAND_SHADOW={}", int(kinds.lights),
-                     int(kinds.styles), shadow);
+  return fmt::format("-D STRAND_LIGHTS={} -D STRAND_STYLES={} -D STRAND_SHADOW={}{}", int(kinds.lights),
+                     int(kinds.styles), shadow, kinds.layers ? " -D STRAND_LAYERS=1" : "");
 }
 
 /// What prepare_strands() and grow() will find for this scene, without growing the fur.
@@ -47,7 +47,8 @@ PictureKinds expected_kinds(const Scene& scene) {
   const std::vector<StrandLayerScene>& layers = scene.strands.layers;
   const bool film = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return !l.film.empty(); });
   const bool styles = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return l.is_styled(); });
-  return {film || has_lights(look_of(scene)), styles, shadow_named(scene.strands.shadow)};
+  const Look look = look_of(scene);
+  return {film || has_lights(look), styles, has_layer_looks(look), shadow_named(scene.strands.shadow)};
 }
 
 }  // namespace
@@ -78,10 +79,11 @@ cl::ProgramText skin_text(const PictureKinds& kinds, int lanes) {
   return {"strands/draw/skin.cl", fmt::format("{} -D LANES={}", options_of(kinds), lanes)};
 }
 
-cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follows) {
-  return {"strands/chain/chain.cl", fmt::format("-D LANES={} -D TURNING={} -D CHAIN_BODY={} -D CHAIN_SKIN={}",
-                                                lanes, int(!follows && springs::turns(dynamics.motion)),
-                                                int(dynamics.body != nullptr), int(follows))};
+cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follows, bool own_damping) {
+  return {"strands/chain/chain.cl",
+          fmt::format("-D LANES={} -D TURNING={} -D CHAIN_BODY={} -D CHAIN_SKIN={}{}", lanes,
+                      int(!follows && springs::turns(dynamics.motion)), int(dynamics.body != nullptr),
+                      int(follows), own_damping ? " -D CHAIN_DAMPING=1" : "")};
 }
 
 cl::ProgramText chain_keys_text(int lanes) {
@@ -98,7 +100,9 @@ std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const S
   const PictureKinds kinds = expected_kinds(scene);
   ChainDynamics dynamics = chain_dynamics(scene);
   if (scene.strands.chain.collision == "body") dynamics.body = std::make_shared<DistanceField>();
-  std::vector<cl::ProgramText> texts{chain_text(dynamics, device.info().lanes, false),
+  const bool own_damping = std::ranges::any_of(
+      scene.strands.layers, [](const StrandLayerScene& l) { return l.drag != 1 || l.damping != 1; });
+  std::vector<cl::ProgramText> texts{chain_text(dynamics, device.info().lanes, false, own_damping),
                                      chain_keys_text(device.info().lanes)};
   for (const cl::ProgramText& text : cl::PairSort::program_texts(device, options.runs)) texts.push_back(text);
   const auto add = [&](const PictureTexts& picture) {
@@ -108,7 +112,7 @@ std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const S
   if (kinds.shadow != Shadow::none) add(picture_texts(kinds, map_layout(layout), true, false));
   if (scene.strands.skin) texts.push_back(skin_text(kinds, layout.lanes));
   if (has_contact(scene.contact)) texts.push_back(chain_contact_text(scene.contact, device.info().lanes));
-  if (scene.mesh.frames > 1) texts.push_back(chain_text(dynamics, device.info().lanes, true));
+  if (scene.mesh.frames > 1) texts.push_back(chain_text(dynamics, device.info().lanes, true, own_damping));
   return texts;
 }
 

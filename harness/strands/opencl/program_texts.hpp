@@ -30,6 +30,7 @@ struct DrawerOptions {
 struct PictureKinds {
   bool lights = false;  ///< the look has more than a key light and ambient light
   bool styles = false;  ///< has_styles() of keyed.hpp
+  bool layers = false;  ///< has_layer_looks() of drawing.hpp
   Shadow shadow = Shadow::none;
   bool operator==(const PictureKinds&) const = default;
 };
@@ -61,8 +62,9 @@ PictureTexts picture_texts(const PictureKinds& kinds, const DrawerLayout& layout
 /// The program that draws the skin.
 cl::ProgramText skin_text(const PictureKinds& kinds, int lanes);
 
-/// The program that simulates chains. `follows`: the roots follow the frames of a mesh.
-cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follows);
+/// The program that simulates chains. `follows`: the roots follow the frames of a mesh. `own_damping`:
+/// has_own_damping() of the chains.
+cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follows, bool own_damping);
 
 /// The program that converts chains to key strands.
 cl::ProgramText chain_keys_text(int lanes);

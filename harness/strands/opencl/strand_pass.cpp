@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
 #include <limits>
 #include <vector>
 
@@ -89,6 +87,8 @@ DrawParams map_params(DrawParams params, const LightView& view, int lanes, int t
   params.tiles_x = params.tiles_y = (view.size + tile - 1) / tile;
   params.block_side = block_side(tile);
   params.is_map = 1;
+  params.back_facing = BACK_DRAWN;
+  params.own_segments = 0;
   copy(params.row_x, view.row_x);
   copy(params.row_y, view.row_y);
   copy(params.row_w, view.row_z);
@@ -130,19 +130,11 @@ void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const
 }
 
 void set_map_rows(DrawParams& params, const Camera& camera, const Look& look) {
-  const LightView light = light_view(look);
-  // The columns of a matrix of GLM are the rows of the camera, so `camera_of` transposed maps (p, 1) to
-  // (X, Y, W, 1).
-  const glm::dmat4 camera_of(glm::dvec4(camera.row_x), glm::dvec4(camera.row_y), glm::dvec4(camera.row_w),
-                             glm::dvec4(0, 0, 0, 1));
-  const glm::dmat4 inverse = glm::inverse(camera_of);
-  // row . (p, 1) = (row M^-1) . (X, Y, W, 1), with the matrix M whose rows are those of the camera.
-  const auto from_view = [&](glm::dvec4 row) { return inverse * row; };
-  const glm::dvec4 centre(0, 0, 0, 0.5 * light.size - 0.5);
-  copy(params.map_x, glm::vec4(from_view(glm::dvec4(light.row_x)) + centre));
-  copy(params.map_y, glm::vec4(from_view(glm::dvec4(light.row_y)) + centre));
-  copy(params.map_z, glm::vec4(from_view(glm::dvec4(light.row_z))));
-  params.map_size = light.size;
+  const MapRows rows = map_rows(camera, look);
+  copy(params.map_x, rows.column);
+  copy(params.map_y, rows.row);
+  copy(params.map_z, rows.depth);
+  params.map_size = look.shadow.size;
   params.per_shadow_length = 1 / look.shadow.length;
 }
 

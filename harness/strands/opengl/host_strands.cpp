@@ -4,32 +4,98 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
 namespace pelage::strands {
 namespace {
 
-constexpr std::uint32_t not_drawn = 0xffffffffu;
+// Strands that are not drawn, and with BackFacing::last those that face away. A sort key of a strand that is
+// drawn is lower, because at most 255 fur layers are possible then.
+constexpr std::uint32_t not_drawn = 0xffffffffu, faces_away = 0xfffffffeu;
 
 glm::vec3 along_plane(glm::vec3 v, glm::vec3 n) {
   return glm::normalize(v - glm::dot(v, n) * n);
 }
 
+glm::vec3 rotated(glm::vec3 v, glm::vec3 axis, float degrees) {
+  const float angle = glm::radians(degrees), c = std::cos(angle), s = std::sin(angle);
+  return c * v + (1 - c) * glm::dot(axis, v) * axis + s * glm::cross(axis, v);
+}
+
+float times(glm::vec4 row, glm::vec3 p) {
+  return row.x * p.x + row.y * p.y + row.z * p.z + row.w;
+}
+
+glm::vec3 in_view(glm::vec4 x, glm::vec4 y, glm::vec4 w, glm::vec3 p) {
+  return {times(x, p), times(y, p), times(w, p)};
+}
+
+/// Returns true if all control points are beyond one side of the picture. The arguments are the control
+/// points' X or Y, their W, half of the picture's size and the width of the strand times W.
+bool beyond(const std::array<glm::vec3, 3>& view, int axis, float extent, float wide) {
+  bool above = true, below = true;
+  for (const glm::vec3& v : view) {
+    above = above && v[axis] > extent * v.z + wide;
+    below = below && v[axis] < -(extent * v.z + wide);
+  }
+  return above || below;
+}
+
+/// The first strands, as many as are drawn, with the widths of the level of detail.
+std::vector<KeyedStrand> drawn_of(const std::vector<KeyedStrand>& strands, const Pruning& pruning) {
+  std::vector<KeyedStrand> drawn(strands.begin(), strands.begin() + pruning.drawn);
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    drawn[i].width *=
+        pruning.widen * std::min(float(std::size_t(pruning.drawn) - i) * pruning.per_fade, 1.0f);
+  return drawn;
+}
+
+}  // namespace
+
 /// A strand's control points, and the normal at its root.
-struct Curve {
+struct HostStrands::Curve {
   std::array<glm::vec3, 3> point;
   glm::vec3 normal;
 };
 
-Curve curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& s, float first) {
+HostStrands::HostStrands(const DrawingScene& scene, const std::vector<KeyedStrand>& strands)
+    : scene_(scene),
+      lights_(has_lights(scene.look)),
+      map_(scene.look.shadow.reading != Shadow::none),
+      fill_(irradiance_of(scene.look)),
+      light_(map_ ? light_view(scene.look) : LightView{}),
+      pruning_(strands.empty() ? Pruning{} : pruning_of(strands.size(), scene.look)),
+      strands_(drawn_of(strands, pruning_)),
+      keys_(strands_.size()) {
+  for (int layer = 0; layer < 256; ++layer) layers_.push_back(layer_look(scene.look, layer));
+  records_.strand.resize(strands_.size());
+  if (lights_) records_.light.resize(strands_.size());
+  if (map_) {
+    in_light_.strand.resize(strands_.size());
+    if (lights_) in_light_.light.resize(strands_.size());
+  }
+}
+
+HostStrands::Curve HostStrands::curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& s) const {
   const KeyStrand &a = keys[s.key[0]], &b = keys[s.key[1]], &c = keys[s.key[2]];
   const float wa = 1 - s.weight.x - s.weight.y, wb = s.weight.x, wc = s.weight.y;
-  const glm::vec3 root = wa * a.root + wb * b.root + wc * c.root;
-  const glm::vec3 n = glm::normalize(wa * a.normal + wb * b.normal + wc * c.normal);
-  glm::vec3 u = glm::normalize(wa * a.first + wb * b.first + wc * c.first);
-  glm::vec3 w = glm::normalize(wa * a.second + wb * b.second + wc * c.second);
+  const auto mean = [&](glm::vec3 KeyStrand::*v) { return wa * a.*v + wb * b.*v + wc * c.*v; };
+  const glm::vec3 root = mean(&KeyStrand::root), n = glm::normalize(mean(&KeyStrand::normal));
+  glm::vec3 u = glm::normalize(mean(&KeyStrand::first)), w = glm::normalize(mean(&KeyStrand::second));
+  if (s.response != 1) {
+    const glm::vec3 rest = glm::normalize(mean(&KeyStrand::rest));
+    u = glm::normalize(rest + s.response * (u - rest));
+    w = glm::normalize(rest + s.response * (w - rest));
+  }
+  if (s.twist != 0) {
+    u = rotated(u, n, s.twist);
+    w = rotated(w, n, s.twist);
+  }
+  if (const glm::vec3 axis = glm::cross(n, u); s.curvature != 0 && glm::dot(axis, axis) > 1e-14f)
+    w = rotated(w, glm::normalize(axis), s.curvature);
   if (glm::dot(n, u) < 0) u = along_plane(u, n);
-  const float slope = (1 - first) / first, rise = glm::dot(n, u);
+  const float first = scene_.first_segment, slope = (1 - first) / first, rise = glm::dot(n, u);
   if (rise + slope * glm::dot(n, w) < 0) {
     const float sine = -rise / slope;
     w = sine * n + std::sqrt(1 - sine * sine) * along_plane(w, n);
@@ -38,63 +104,77 @@ Curve curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& s, float f
   return {{root, joint, joint + (1 - first) * s.length * w}, n};
 }
 
-float times(glm::vec4 row, glm::vec3 p) {
-  return row.x * p.x + row.y * p.y + row.z * p.z + row.w;
+LightRecord HostStrands::light_of(const Curve& curve, const KeyedStrand& s) const {
+  const Look& look = scene_.look;
+  const LayerLook& layer = layers_[s.layer];
+  const glm::vec3 n = curve.normal, eye = glm::normalize(curve.point[1] - scene_.camera.eye);
+  const std::array<double, 9> basis = basis_at(glm::dvec3(n));
+  glm::vec3 fill(0);
+  for (std::size_t i = 0; i < basis.size(); ++i) fill += float(basis[i]) * fill_[i];
+  const glm::vec3 base = glm::vec3(s.colour[0], s.colour[1], s.colour[2]) / 255.0f;
+  LightRecord r;
+  r.steady =
+      base * (look.ambient + glm::max(fill, 0.0f)) +
+      look.rim * layer.rim * std::pow(std::max(0.0f, 1 - std::abs(glm::dot(n, eye))), look.rim_exponent);
+  const float scale = 1 / (look.skin_shadow_height * s.length);
+  r.height = scale * glm::vec2(glm::dot(n, curve.point[1] - curve.point[0]),
+                               glm::dot(n, curve.point[2] - curve.point[0]));
+  r.opacity = layer.opacity;
+  r.taper = layer.taper;
+  r.gloss = layer.gloss;
+  return r;
 }
 
-/// Returns true if all control points are beyond one side of the picture. The arguments are the control
-/// points' X or Y, their W, half of the picture's size and the width of the strand times W.
-bool beyond(const std::array<float, 3>& place, const std::array<float, 3>& depth, float extent, float wide) {
-  bool above = true, below = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    above = above && place[i] > extent * depth[i] + wide;
-    below = below && place[i] < -(extent * depth[i] + wide);
-  }
-  return above || below;
-}
-
-}  // namespace
-
-HostStrands::HostStrands(const DrawingScene& scene, const std::vector<KeyedStrand>& strands)
-    : camera_(scene.camera),
-      range_(scene.range),
-      first_segment_(scene.first_segment),
-      strands_(strands),
-      records_(strands.size()),
-      keys_(strands.size()) {
-  for (const KeyedStrand& s : strands) ranks_.push_back(std::uint32_t(layer_look(scene.look, s.layer).rank));
+/// The sort key of a strand: the lowest one is in front. `away`: the strand faces away from the camera.
+std::uint32_t HostStrands::key_of(const StrandRecord& r, int rank, bool away) const {
+  const Camera& c = scene_.camera;
+  const std::array<glm::vec3, 3>& v = r.view;
+  if (v[0].z < c.near && v[1].z < c.near && v[2].z < c.near) return not_drawn;
+  const bool in_front = v[0].z >= c.near && v[1].z >= c.near && v[2].z >= c.near;
+  if (in_front && (beyond(v, 0, 0.5f * float(c.width) + 1, 1.5f * r.radius) ||
+                   beyond(v, 1, 0.5f * float(c.height) + 1, 1.5f * r.radius)))
+    return not_drawn;
+  if (away && scene_.look.back_facing == BackFacing::last) return faces_away;
+  const DepthRange& range = scene_.range;
+  const float step = std::min(std::max((v[1].z - range.nearest) * range.per_depth, 0.0f), 16777215.0f);
+  return std::uint32_t(rank) << 24 | std::uint32_t(step);
 }
 
 void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {
   const auto count = std::int64_t(strands_.size());
+  const Camera& c = scene_.camera;
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i) {
     const auto at = std::size_t(i);
     const KeyedStrand& s = strands_[at];
-    const Curve curve = curve_of(keys, s, first_segment_);
-    keys_[at] = not_drawn;
-    const glm::vec3 to_eye = camera_.eye - curve.point[0];
+    const LayerLook& layer = layers_[s.layer];
+    const Curve curve = curve_of(keys, s);
+    const auto frame = std::uint32_t(
+        std::uint64_t(std::uint32_t(std::uint32_t(i) * 2654435761u)) * std::uint64_t(layer.frames) >> 32);
+    const std::uint32_t colour = std::uint32_t(s.colour[0]) | std::uint32_t(s.colour[1]) << 8 |
+                                 std::uint32_t(s.colour[2]) << 16 |
+                                 (std::uint32_t(layer.first_frame) + frame) << 24;
+    const glm::vec3 to_eye = c.eye - curve.point[0];
     const float facing = glm::dot(curve.normal, to_eye);
-    if (facing < 0 && facing * facing > 0.0625f * glm::dot(to_eye, to_eye)) continue;
-    StrandRecord& r = records_[at];
-    std::array<float, 3> x{}, y{}, w{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = times(camera_.row_x, curve.point[k]);
-      y[k] = times(camera_.row_y, curve.point[k]);
-      w[k] = times(camera_.row_w, curve.point[k]);
-      r.view[k] = {x[k], y[k], w[k]};
+    const bool away = facing < 0 && facing * facing > 0.0625f * glm::dot(to_eye, to_eye);
+    const bool removed = away && scene_.look.back_facing == BackFacing::removed;
+    keys_[at] = not_drawn;
+    if (removed && !map_) continue;
+    StrandRecord& r = records_.strand[at];
+    if (!removed) {
+      for (std::size_t k = 0; k < 3; ++k) r.view[k] = in_view(c.row_x, c.row_y, c.row_w, curve.point[k]);
+      r.radius = 0.5f * s.width / c.pixel;
+      r.colour = colour;
+      keys_[at] = key_of(r, layer.rank, away);
+      if (lights_ && keys_[at] != not_drawn) records_.light[at] = light_of(curve, s);
     }
-    const float near = camera_.near;
-    if (w[0] < near && w[1] < near && w[2] < near) continue;
-    r.radius = 0.5f * s.width / camera_.pixel;
-    const bool in_front = w[0] >= near && w[1] >= near && w[2] >= near;
-    if (in_front && (beyond(x, w, 0.5f * float(camera_.width) + 1, 1.5f * r.radius) ||
-                     beyond(y, w, 0.5f * float(camera_.height) + 1, 1.5f * r.radius)))
-      continue;
-    r.colour =
-        std::uint32_t(s.colour[0]) | std::uint32_t(s.colour[1]) << 8 | std::uint32_t(s.colour[2]) << 16;
-    const float step = std::min(std::max((w[1] - range_.nearest) * range_.per_depth, 0.0f), 16777215.0f);
-    keys_[at] = ranks_[at] << 24 | std::uint32_t(step);
+    if (!map_) continue;
+    StrandRecord& shadow = in_light_.strand[at];
+    for (std::size_t k = 0; k < 3; ++k)
+      shadow.view[k] = in_view(light_.row_x, light_.row_y, light_.row_z, curve.point[k]);
+    shadow.radius = 0.5f * s.width / light_.texel;
+    shadow.colour = colour;
+    if (lights_) in_light_.light[at] = {{}, layer.opacity, layer.taper, {}, 1};
   }
 }
 
@@ -123,16 +203,21 @@ void HostStrands::sort() {
     for (const Item& e : entries_) other_[next[k][e.key >> shift[k] & mask]++] = e;
     entries_.swap(other_);
   }
+  if (scene_.look.back_facing == BackFacing::last)
+    while (!entries_.empty() && entries_.back().key == faces_away) entries_.pop_back();
 }
 
-const std::vector<StrandRecord>& HostStrands::back_to_front(const std::vector<KeyStrand>& keys) {
-  interpolate(keys);
+const Records& HostStrands::back_to_front() {
   sort();
   const auto count = std::int64_t(entries_.size());
-  sorted_.resize(entries_.size());
+  sorted_.strand.resize(entries_.size());
+  if (lights_) sorted_.light.resize(entries_.size());
 #pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i)
-    sorted_[std::size_t(i)] = records_[entries_[std::size_t(count - 1 - i)].strand];
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::uint32_t strand = entries_[std::size_t(count - 1 - i)].strand;
+    sorted_.strand[std::size_t(i)] = records_.strand[strand];
+    if (lights_) sorted_.light[std::size_t(i)] = records_.light[strand];
+  }
   return sorted_;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "harness/strands/drawing/detail.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
 
@@ -15,31 +16,56 @@ namespace pelage::strands {
 struct StrandRecord {
   std::array<glm::vec3, 3> view{};  ///< X, Y and W of root, joint and tip
   float radius = 0;                 ///< half of the width at the root divided by Camera::pixel
-  std::uint32_t colour = 0;         ///< red, green and blue, the lowest byte first
+  std::uint32_t colour = 0;  ///< red, green, blue and the number of the film frame, the lowest byte first
   float unused = 0;
+};
+
+/// The rest of a strand, if the look has more than a key light and ambient light.
+struct LightRecord {
+  glm::vec2 height{0};           ///< of joint and tip above the skin, in heights of the skin's shadow
+  float opacity = 1, taper = 1;  ///< factors of the fur layer
+  glm::vec3 steady{0};           ///< light that does not change along the strand
+  float gloss = 1;               ///< factor of the fur layer
+};
+
+/// The strands of a picture or of an opacity map. `light` is empty if the look has a key light and ambient
+/// light only.
+struct Records {
+  std::vector<StrandRecord> strand;
+  std::vector<LightRecord> light;
 };
 
 class HostStrands {
  public:
   HostStrands(const DrawingScene& scene, const std::vector<KeyedStrand>& strands);
-  /// Returns the strands to draw, from back to front. The result is valid until the next call. All cores of
-  /// the machine interpolate strands; one core sorts them.
-  const std::vector<StrandRecord>& back_to_front(const std::vector<KeyStrand>& keys);
+  /// Interpolates the strands between the key strands. All cores of the machine interpolate.
+  void interpolate(const std::vector<KeyStrand>& keys);
+  /// Returns the strands to draw, from back to front. The result is valid until the next call. One core sorts
+  /// the strands.
+  const Records& back_to_front();
+  /// Returns all strands in the view of the key light, with the opacity and the taper of their layers.
+  const Records& in_light() const { return in_light_; }
 
  private:
   struct Item {
     std::uint32_t key, strand;
   };
-  void interpolate(const std::vector<KeyStrand>& keys);
+  struct Curve;
+  Curve curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& strand) const;
+  LightRecord light_of(const Curve& curve, const KeyedStrand& strand) const;
+  std::uint32_t key_of(const StrandRecord& record, int rank, bool away) const;
   void sort();
 
-  Camera camera_;
-  DepthRange range_;
-  float first_segment_;
-  std::vector<KeyedStrand> strands_;
-  std::vector<std::uint32_t> ranks_;            ///< rank of each strand's fur layer
-  std::vector<StrandRecord> records_, sorted_;  ///< one per strand; those to draw, from back to front
-  std::vector<std::uint32_t> keys_;             ///< one per strand; not_drawn for strands that are not drawn
+  DrawingScene scene_;
+  bool lights_, map_;
+  Irradiance fill_;
+  LightView light_;
+  Pruning pruning_;
+  std::vector<KeyedStrand> strands_;  ///< those that are drawn
+  std::vector<LayerLook> layers_;     ///< looks of all 256 possible fur layers
+  Records records_, sorted_;          ///< one per strand; those to draw, from back to front
+  Records in_light_;
+  std::vector<std::uint32_t> keys_;  ///< one per strand; not_drawn for strands that are not drawn
   std::vector<Item> entries_, other_;
 };
 

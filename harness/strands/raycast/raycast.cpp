@@ -54,7 +54,7 @@ class Rays {
   Rays(const RaycastScene& scene, const std::vector<DrawnStrand>& strands, int cones)
       : cones_(cones), device_(rtcNewDevice(nullptr)), scene_(device_ ? rtcNewScene(device_) : nullptr) {
     if (!scene_) throw DeviceError("Embree cannot start on this processor");
-    add_strands(strands, scene.taper);
+    add_strands(strands, scene);
     if (scene.skin) add_skin(*scene.skin);
     rtcCommitScene(scene_);
     if (rtcGetDeviceError(device_) != RTC_ERROR_NONE)
@@ -85,7 +85,7 @@ class Rays {
   }
 
  private:
-  void add_strands(const std::vector<DrawnStrand>& strands, float taper) {
+  void add_strands(const std::vector<DrawnStrand>& strands, const RaycastScene& of) {
     const auto cones = std::size_t(cones_);
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
     auto* vertex =
@@ -96,7 +96,8 @@ class Rays {
     auto* flags = static_cast<unsigned char*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, strands.size() * cones));
     if (!vertex || !index || !flags) throw DeviceError("Embree has too little memory for the strands");
-    for (std::size_t s = 0; s < strands.size(); ++s)
+    for (std::size_t s = 0; s < strands.size(); ++s) {
+      const float taper = of.taper(std::uint32_t(s));
       for (std::size_t k = 0; k <= cones; ++k) {
         const float t = float(k) / float(cones);
         const glm::vec3 p = bezier(strands[s], t);
@@ -107,6 +108,7 @@ class Rays {
         flags[s * cones + k] = static_cast<unsigned char>(
             (k > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) | (k + 1 < cones ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
       }
+    }
     rtcSetGeometryIntersectFilterFunction(geometry, note_hit);
     attach(geometry, strand_geometry);
   }

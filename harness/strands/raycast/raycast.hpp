@@ -20,7 +20,8 @@ struct Paint {
 struct RaycastScene {
   Camera camera;
   glm::vec3 background{0};
-  float taper = 0;  ///< part of the width that a strand loses from root to tip, 0 to 1
+  /// Returns the part of its width, 0 to 1, that a strand loses from root to tip.
+  std::function<float(std::uint32_t strand)> taper = [](std::uint32_t) { return 0.0f; };
   /// Returns the paint of the strand with the index `strand` at the parameter t of its curve, 0 at the root
   /// and 1 at the tip.
   std::function<Paint(std::uint32_t strand, float t)> strand_paint;

@@ -48,10 +48,10 @@ Model model_at(const Chain& chain, const ChainDynamics& dynamics, double time,
   m.l2 = 1 - m.l1;
   m.m2 = double(dynamics.tip_mass);
   m.m1 = 1 - m.m2;
-  m.c1 = m.m1 * double(dynamics.drag);
-  m.c2 = m.m2 * double(dynamics.drag);
-  m.d1 = double(dynamics.damping_first);
-  m.d2 = double(dynamics.damping_second);
+  m.c1 = m.m1 * double(chain.drag) * double(dynamics.drag);
+  m.c2 = m.m2 * double(chain.drag) * double(dynamics.drag);
+  m.d1 = double(chain.damping) * double(dynamics.damping_first);
+  m.d2 = double(chain.damping) * double(dynamics.damping_second);
   m.k1 = double(chain.stiffness_first);
   m.k2 = double(chain.stiffness_second);
   m.inertia_u = (m.m1 + m.m2) * m.l1 * m.l1;

@@ -53,6 +53,20 @@ std::optional<Part> visible_part(const Curve& view, double near, int segments) {
   return Part{crossing(view, near, (k + 1) / segments, k / segments), 1};
 }
 
+/// The number of segments of a strand: the least n from 3 for which |P0 - 2 P1 + P2| / (4 n^2), at the
+/// nearest control point, is at most 1/4 pixel; look.segments at most.
+int segments_of(const Camera& camera, const Look& look, const Curve& view) {
+  const double nearest = std::min({view.p[0].z, view.p[1].z, view.p[2].z});
+  if (!look.own_segments || nearest < double(camera.near)) return look.segments;
+  Vec bend = view.p[0] - 2.0 * view.p[1] + view.p[2];
+  bend.x *= double(camera.pixel);
+  bend.y *= double(camera.pixel);
+  const double pixels = glm::length(bend) / (nearest * double(camera.pixel));
+  int n = 3;
+  while (n < look.segments && pixels / (4 * n * n) > 0.25) ++n;
+  return std::min(n, look.segments);
+}
+
 /// Light of Kajiya and Kay on a hair with the tangent T, without the highlight's factor: x is |T x L|, and y
 /// the power of (T.L)(T.E) + |T x L||T x E|. E points from the eye to the joint.
 glm::dvec2 hair_light(const Look& look, Vec tangent, Vec from_eye) {
@@ -78,13 +92,20 @@ std::array<double, 9> harmonics(Vec n) {
           second / 2 * (n.x * n.x - n.y * n.y)};
 }
 
-/// The factors of the film strip at one place of a strand.
+/// The factors of the strand's fur layer.
+LayerLook own_look(const Look& look, const DrawnStrand& strand) {
+  const auto layer = std::size_t(strand.layer);
+  return layer < look.layers.size() ? look.layers[layer] : LayerLook{};
+}
+
+/// The factors of the film strip and of the fur layer at one place of a strand.
 struct Film {
   double luminance = 1, gloss = 1, opacity = 1;
 };
 
 Film film_at(const Look& look, const DrawnStrand& drawn, std::uint32_t strand, double t) {
-  if (look.film.empty()) return {};
+  const LayerLook own = own_look(look, drawn);
+  if (look.film.empty()) return {1, double(own.gloss), double(own.opacity)};
   const std::uint64_t hash = std::uint32_t(strand * 2654435761u);
   const auto layer = std::size_t(drawn.layer);
   std::size_t begin = 0, count = look.film.size();
@@ -99,8 +120,8 @@ Film film_at(const Look& look, const DrawnStrand& drawn, std::uint32_t strand, d
     return double(frame[first].*value) +
            (place - double(first)) * (double(frame[first + 1].*value) - double(frame[first].*value));
   };
-  return {between(&FilmSample::luminance) / 128, between(&FilmSample::gloss) / 128,
-          between(&FilmSample::opacity) / 255};
+  return {between(&FilmSample::luminance) / 128, double(own.gloss) * between(&FilmSample::gloss) / 128,
+          double(own.opacity) * between(&FilmSample::opacity) / 255};
 }
 
 Curve curve_of(const DrawnStrand& strand) {
@@ -116,9 +137,10 @@ class StrandLight {
       : look_(look), strand_(strand), number_(number), curve_(curve_of(strand)) {
     const Vec normal(strand.normal);
     from_eye_ = glm::normalize(curve_.p[1] - Vec(camera.eye));
-    steady_ = Vec(strand.colour) * (double(look.ambient) + fill_light(look, normal)) +
-              Vec(look.rim) * std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye_))),
-                                       double(look.rim_exponent));
+    steady_ =
+        Vec(strand.colour) * (double(look.ambient) + fill_light(look, normal)) +
+        Vec(look.rim) * Vec(own_look(look, strand).rim) *
+            std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye_))), double(look.rim_exponent));
     length_ = glm::distance(curve_.p[0], curve_.p[1]) + glm::distance(curve_.p[1], curve_.p[2]);
   }
 
@@ -152,16 +174,17 @@ std::vector<Vertex> vertices_of(const Camera& camera, const Look& look,
   const Curve object = curve_of(strand);
   Curve view;
   for (std::size_t i = 0; i < 3; ++i) view.p[i] = in_view(camera, strand.point[i]);
-  const std::optional<Part> part = visible_part(view, camera.near, look.segments);
+  const int segments = segments_of(camera, look, view);
+  const std::optional<Part> part = visible_part(view, camera.near, segments);
   if (!part) return {};
   const StrandLight light(camera, look, strand, number);
   std::vector<Vertex> vertices;
-  for (int k = 0; k <= look.segments; ++k) {
-    const double t = part->from + (part->to - part->from) * k / look.segments;
+  for (int k = 0; k <= segments; ++k) {
+    const double t = part->from + (part->to - part->from) * k / segments;
     const Vec v = view.at(t);
     Vertex vertex;
     vertex.place = glm::dvec2(v) / v.z + 0.5 * glm::dvec2(camera.width, camera.height);
-    vertex.half = 0.5 * double(strand.width) * (1 - double(look.taper) * t) / (double(camera.pixel) * v.z);
+    vertex.half = half_width(look, strand, t) / (double(camera.pixel) * v.z);
     vertex.depth = v.z;
     vertex.alpha = alpha_of(look, strand, number, t);
     const double lit = shadow_map ? key_light(look, shadow_map->view, shadow_map->map, object.at(t)) : 1;
@@ -256,6 +279,10 @@ Vec fill_light(const Look& look, Vec n) {
   return glm::max(sum, Vec(0));
 }
 
+double half_width(const Look& look, const DrawnStrand& strand, double t) {
+  return 0.5 * double(strand.width) * (1 - double(look.taper) * double(own_look(look, strand).taper) * t);
+}
+
 double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t) {
   return double(look.opacity) * film_at(look, strand, number, t).opacity * (1 - t * t * t);
 }
@@ -274,14 +301,15 @@ std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, const L
 }
 
 std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
-                                 const std::vector<DrawnStrand>& strands) {
+                                 const std::vector<DrawnStrand>& strands, BackFacing back) {
   const auto depth = [&](glm::vec3 p) { return times(camera.row_w, p); };
   std::vector<Entry> order;
   for (std::uint32_t i = 0; i < strands.size(); ++i) {
     const DrawnStrand& strand = strands[i];
     const glm::vec3 to_eye = camera.eye - strand.point[0];
     const float facing = dot_f(strand.normal, to_eye);
-    if (facing < 0 && facing * facing > 0.0625f * dot_f(to_eye, to_eye)) continue;
+    const bool away = facing < 0 && facing * facing > 0.0625f * dot_f(to_eye, to_eye);
+    if (away && back != BackFacing::drawn) continue;
     const float joint = depth(strand.point[1]);
     if (std::max({depth(strand.point[0]), joint, depth(strand.point[2])}) < camera.near) continue;
     if (beyond_side(camera, strand, camera.row_x, camera.width)) continue;

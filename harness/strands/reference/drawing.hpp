@@ -21,6 +21,9 @@ namespace pelage::strands::reference {
 /// fur layer; the caller knows the look, and replaces the rank if the look orders the layers differently.
 DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment);
 
+/// Returns half of the width of a strand at the parameter t of its curve, R.
+double half_width(const Look& look, const DrawnStrand& strand, double t);
+
 /// Returns the alpha of strand `number` at the parameter t of its curve.
 double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t);
 
@@ -29,11 +32,12 @@ double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t numbe
 std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, const Look& look);
 
 /// Returns the strands to draw, from front to back. The list contains no strands that face away from the
-/// camera, none that are nearer than the near plane and none that are beyond a side of the picture. Its
-/// operations are those of docs/strands.md in single
-/// precision, so that a device must give the same list.
+/// camera, unless `back` is BackFacing::drawn, none that are nearer than the near plane and none that are
+/// beyond a side of the picture. Its operations are those of docs/strands.md in single precision, so that a
+/// device must give the same list.
 std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
-                                 const std::vector<DrawnStrand>& strands);
+                                 const std::vector<DrawnStrand>& strands,
+                                 BackFacing back = BackFacing::removed);
 
 /// Returns the light F of all fill lights on a surface with the unit normal n.
 glm::dvec3 fill_light(const Look& look, glm::dvec3 n);

@@ -113,7 +113,7 @@ LightColumns light_columns(const Look& look, const LightView& view, const std::v
       const double t = double(k) / look.segments;
       Vertex vertex;
       vertex.place = glm::dvec2(curve.at(t)) + 0.5 * double(view.size);
-      vertex.half = 0.5 * double(strand.width) * (1 - double(look.taper) * t) / double(view.texel);
+      vertex.half = half_width(look, strand, t) / double(view.texel);
       vertex.alpha = alpha_of(look, strand, i, t);
       vertex.depth = curve.at(t).z;
       vertices.push_back(vertex);

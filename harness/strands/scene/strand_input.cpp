@@ -1,5 +1,7 @@
 #include "harness/strands/scene/strand_input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -63,7 +65,6 @@ void set_view(StrandInput& input) {
     extent.insert(extent.end(), frame.begin(), frame.end());
   for (const KeyStrand& key : input.fur.keys) extent.push_back(key.root + length * key.rest);
   input.camera = make_camera(scene.camera, scene.image, extent, mesh.frames.empty() ? 0 : length);
-  input.look.layers = input.fur.layers;
   std::vector<float> biases;
   std::vector<int> offsets;
   for (const StrandLayerScene& layer : scene.strands.layers) {
@@ -71,7 +72,11 @@ void set_view(StrandInput& input) {
     offsets.push_back(layer.order_offset);
   }
   const std::vector<std::uint8_t> ranks = layer_ranks(input.fur.bounds, input.camera, biases, offsets);
-  for (std::size_t i = 0; i < ranks.size(); ++i) input.look.layers[i].rank = ranks[i];
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    input.look.layers[i].first_frame = input.fur.layers[i].first_frame;
+    input.look.layers[i].frames = input.fur.layers[i].frames;
+    input.look.layers[i].rank = ranks[i];
+  }
   input.range = depth_range(input.camera, reach_of(mesh) + length);
   const Spread spread = spread_of(input.fur.strands, mesh);
   input.look.fraction =
@@ -92,6 +97,10 @@ Look look_of(const Scene& scene) {
   const ShadingScene& shading = scene.shading;
   Look look;
   look.segments = strands.segments;
+  look.own_segments = strands.subdivision == "strand";
+  look.back_facing = strands.back_facing == "removed" ? BackFacing::removed
+                     : strands.back_facing == "last"  ? BackFacing::last
+                                                      : BackFacing::drawn;
   look.fraction = strands.fraction;
   look.taper = strands.taper;
   look.opacity = strands.opacity;
@@ -103,6 +112,18 @@ Look look_of(const Scene& scene) {
   for (std::size_t i = 1; i < shading.lights.size(); ++i)
     look.fills.push_back({shading.lights[i].direction, glm::vec3(shading.lights[i].intensity)});
   for (const StrandFillScene& fill : strands.fills) look.fills.push_back({fill.direction, fill.colour});
+  for (std::size_t i = 0; i < strands.layers.size(); ++i) {
+    const StrandLayerScene& layer = strands.layers[i];
+    const auto need = [&](const char* key, float factor, float all) {
+      if (factor * all > 1)
+        throw InputError(
+            fmt::format("strands.layer[{}].{}: {} times strands.{} is {}; the product must be at most 1",
+                        i + 1, key, factor, key, factor * all));
+    };
+    need("opacity", layer.opacity, look.opacity);
+    need("taper", layer.taper, look.taper);
+    look.layers.push_back({int(i), 0, 1, layer.opacity, layer.taper, layer.gloss, layer.rim});
+  }
   look.bands = strands.bands;
   look.rim = strands.rim;
   look.rim_exponent = strands.rim_exponent;

@@ -11,19 +11,10 @@
 namespace pelage::strands {
 namespace {
 
-void need_what_is_drawn(const StrandInput& input) {
-  const StrandsScene& s = input.scene.strands;
-  if (!input.look.fills.empty() || s.rim != glm::vec3(0) || s.skin_shadow != 0 || s.shadow != "none" ||
-      s.skin)
+void need_still_skin(const StrandInput& input) {
+  if (input.skin && !input.mesh->frames.empty())
     throw CannotDraw(
-        "the OpenGL baseline draws strands with a key light and ambient light only: give one [[shading.light]], and set strands.skin_shadow = 0, strands.rim = [0, 0, 0], strands.shadow = \"none\", strands.skin = false");
-  if (input.look.fraction < 1)
-    throw CannotDraw(
-        "the OpenGL baseline draws all strands: set strands.fraction = 1, strands.least_width = 0");
-  for (const StrandLayerScene& layer : s.layers)
-    if (layer.is_styled() || !layer.film.empty())
-      throw CannotDraw(
-          "the OpenGL baseline draws plain strands: set response = 1, twist = 0, twist_spread = 0, curvature = 0, curvature_spread = 0 and no film in each layer of [strands]");
+        "the OpenGL baseline draws a skin that does not deform: set mesh.frames = 1, or strands.skin = false");
 }
 
 class StrandsInOpenGl : public InOpenGl<StrandInput, RibbonOptions> {
@@ -33,7 +24,7 @@ class StrandsInOpenGl : public InOpenGl<StrandInput, RibbonOptions> {
   void load(const SystemInput& input) override {
     ribbons_.reset();
     input_ = own<StrandInput>(input);
-    need_what_is_drawn(*input_);
+    need_still_skin(*input_);
     frames_ = 0;
     prepared_ = false;
     ribbons_.emplace(*input_, input_->fur.strands, options_);

@@ -36,7 +36,8 @@ RaycastResult raycast_strands(const StrandInput& input) {
   const std::vector<DrawnStrand> all_curves = reference_curves(input, input.fur.keys);
   std::vector<DrawnStrand> curves;
   std::vector<std::uint32_t> number;
-  for (const Entry& entry : reference::drawing_order(input.camera, input.range, all_curves)) {
+  for (const Entry& entry :
+       reference::drawing_order(input.camera, input.range, all_curves, input.look.back_facing)) {
     curves.push_back(all_curves[entry.strand]);
     number.push_back(entry.strand);
   }
@@ -44,7 +45,9 @@ RaycastResult raycast_strands(const StrandInput& input) {
   RaycastScene cast;
   cast.camera = input.camera;
   cast.background = look.background;
-  cast.taper = look.taper;
+  cast.taper = [&](std::uint32_t strand) {
+    return look.taper * layer_look(look, curves[strand].layer).taper;
+  };
   cast.strand_paint = [&](std::uint32_t strand, float t) -> Paint {
     const DrawnStrand& drawn = curves[strand];
     return {glm::vec3(reference::unshadowed_colour(input.camera, look, drawn, number[strand], double(t))),

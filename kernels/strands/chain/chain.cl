@@ -63,7 +63,7 @@ INLINE void store_chain(Chain c, Tables t, int u) {
 // The constants of a unit's strands, in the object's frame.
 typedef struct {
   real3 root, rest, normal;
-  real shortness, phase_cos, phase_sin;
+  real shortness, drag, phase_cos, phase_sin;    // drag: shortness times the strand's factor of the drag
   Hold hold;  // without the members that change from step to step
 } Strand;
 
@@ -83,6 +83,15 @@ INLINE Strand load_strand(ChainParams p, TABLE(scalar) strands, int u) {
   s.hold.stiff_second = strand_value(strands, u, STRAND_STIFF_SECOND);
   s.hold.limit_first = strand_value(strands, u, STRAND_LIMIT_FIRST);
   s.hold.limit_second = strand_value(strands, u, STRAND_LIMIT_SECOND);
+#if CHAIN_DAMPING
+  real drag = strand_value(strands, u, STRAND_DRAG), damping = strand_value(strands, u, STRAND_DAMPING);
+  s.drag = s.shortness * drag;
+  s.hold.damping_first = fma(drag, REAL(p.drag_first), damping * REAL(p.joint_damping));
+  s.hold.damping_second = fma(drag, REAL(p.drag_second), damping * REAL(p.tip_damping));
+  s.hold.damping_both = fma(drag, REAL(p.drag_both), -(damping * REAL(p.tip_damping)));
+#else
+  s.drag = s.shortness;
+#endif
   s.hold = with_theta(p, s.hold);
   return s;
 }
@@ -103,11 +112,11 @@ INLINE Pull pull_at(ChainParams p, ChainMoment m, Tables t, int u, int i, Strand
   s->hold.normal = normalize3(skin_at(t, u, STRAND_NORMAL, fraction));
   real3 air = sub3(air_at(m, s->phase_cos, s->phase_sin), skin_at(t, u, SKIN_VELOCITY, fraction));
   real3 fall = sub3(uniform3(m.fall_x, m.fall_y, m.fall_z), skin_at(t, u, SKIN_ACCELERATION, fraction));
-  return pull_of(p, air, fall, s->shortness);
+  return pull_of(p, air, fall, s->shortness, s->drag);
 #else
   s->hold.rest = in_world(m, s->rest);
   s->hold.normal = in_world(m, s->normal);
-  return pull_on(p, m, s->root, s->shortness, s->phase_cos, s->phase_sin);
+  return pull_on(p, m, s->root, s->shortness, s->drag, s->phase_cos, s->phase_sin);
 #endif
 }
 

@@ -18,9 +18,12 @@ typedef struct {
   float lever_second;       // l2 m2: torque on the second segment per 1 L/s^2 of acceleration
   float air_first;          // l1 (c1 + c2), 1/s; c1 and c2 are the drag coefficients of joint and tip
   float air_second;         // l2 c2, 1/s
+  // The three coefficients of damping, and their parts: those of the drag, d1 + d2, and d2.
   float damping_first;      // (c1 + c2) l1^2 + d1 + d2, 1/s: damping of the first segment by its own rate
   float damping_second;     // c2 l2^2 + d2, 1/s: damping of the second segment by its own rate
   float damping_both;       // c2 l1 l2 - d2, 1/s: damping of one segment by the rate of the other
+  float drag_first, drag_second, drag_both;
+  float joint_damping, tip_damping;
   float step;               // h, duration of a substep, s
   int substeps;             // number of substeps in this launch
   int first_moment;         // index of the ChainMoment of this launch's first substep
@@ -62,6 +65,8 @@ enum {
   STRAND_LIMIT_SECOND,     // cosine of the largest angle between the two segments
   STRAND_PHASE_COS,        // cosine and sine of the gust's phase at the root
   STRAND_PHASE_SIN,
+  STRAND_DRAG,             // factors of the drag and of d1 and d2. Only used if CHAIN_DAMPING is 1.
+  STRAND_DAMPING,
   STRAND_COLUMNS
 };
 

@@ -46,6 +46,9 @@ INLINE ushort blocks_in_tile(Touched b, int x, int y) {
   return (ushort)(left | top << 4 | right << 8 | bottom << 12);
 }
 
+// With BACK_LAST, a chunk ends at the first strand that faces away from the eye.
+INLINE bool is_end(DrawParams p, TABLE(uint2) pair, int i) { return p.back_facing == BACK_LAST && pair[i].x == LAST_KEY; }
+
 __kernel void strand_bin_count(DrawParams p, TABLE(int) total, TABLE(uint2) blocks, TABLE(uint2) pair,
                                __global int *count) {
   int chunk = (int)get_global_id(0);
@@ -55,6 +58,7 @@ __kernel void strand_bin_count(DrawParams p, TABLE(int) total, TABLE(uint2) bloc
   Chunk c = chunk_of(chunk, p.chunks, total[0]);
   for (int i = c.first; i < c.last; ++i) {
     PREFETCH_BLOCKS(i, c.last);
+    if (is_end(p, pair, i)) break;
     Touched t = tiles_of(blocks_touched_by(blocks, pair, i));
     for (int y = t.top; y <= t.bottom; ++y)
       for (int x = t.left; x <= t.right; ++x) ++mine[y * p.tiles_x + x];
@@ -96,6 +100,7 @@ __kernel void strand_bin_fill(DrawParams p, TABLE(int) total, TABLE(uint2) block
   Chunk c = chunk_of(chunk, p.chunks, total[0]);
   for (int i = c.first; i < c.last; ++i) {
     PREFETCH_BLOCKS(i, c.last);
+    if (is_end(p, pair, i)) break;
     Touched b = blocks_touched_by(blocks, pair, i), t = tiles_of(b);
     int strand = (int)pair[i].y;
     for (int y = t.top; y <= t.bottom; ++y)

@@ -22,8 +22,9 @@ typedef struct {
 
 // Computes vertex k of strand s.
 INLINE void put_vertex(const DrawParams *p, TABLE(int) film, TABLE(float) map, Row r, int k, int s, float origin_x, float origin_y, __local Batch *b) {
-  Part part = visible_part(p, r);
-  float t = k < p->segments ? fma(part.to - part.from, (float)k / (float)p->segments, part.from) : part.to;
+  int segments = segments_of_strip(p, r);
+  Part part = visible_part(p, r, segments);
+  float t = k < segments ? fma(part.to - part.from, (float)k / (float)segments, part.from) : part.to;
   Vertex v = vertex_at(p, film, map, r, towards_joint(p, r), t);
   b->x[k][s] = v.x - origin_x;
   b->y[k][s] = v.y - origin_y;

@@ -88,26 +88,29 @@ INLINE Blocks blocks_of(const DrawParams *p, real3 a, real3 b, real3 c, real rad
   return out;
 }
 
-// Returns true if the strand is drawn. Such a strand faces the camera, is not entirely nearer than the near plane, and is
-// not beyond a side of the picture. depth: view depths of root, joint and tip. margin: an upper bound of W times half of
-// the strand's width in pixels.
-INLINE truth is_seen(const DrawParams *p, Curve curve, real3 root, real3 joint, real3 tip, real3 depth, real margin) {
+// Returns true if the strand is not entirely nearer than the near plane, and not beyond a side of the picture. depth: view
+// depths of root, joint and tip. margin: an upper bound of W times half of the strand's width in pixels.
+INLINE truth in_picture(const DrawParams *p, real3 root, real3 joint, real3 tip, real3 depth, real margin) {
   real near = REAL(p->near_depth);
-  truth faces = !faces_away(curve.normal, sub3(uniform3(p->eye[0], p->eye[1], p->eye[2]), curve.root));
   truth some_in_front = (depth.x >= near) || (depth.y >= near) || (depth.z >= near);
   truth in_front = (depth.x >= near) && (depth.y >= near) && (depth.z >= near);
   truth outside = beyond_side(root.x, joint.x, tip.x, depth, 0.5f * (float)p->width + 1.0f, margin) ||
                   beyond_side(root.y, joint.y, tip.y, depth, 0.5f * (float)p->height + 1.0f, margin);
-  return faces && some_in_front && !(in_front && outside);
+  return some_in_front && !(in_front && outside);
 }
 
 #if STRAND_LIGHTS
-// Returns the light that does not change along the strand.
-INLINE real3 steady_light(const DrawParams *p, Curve curve, real3 colour) {
+// Returns the light that does not change along the strand. layer: LAYER_RECORD times the number of the strand's fur layer.
+INLINE real3 steady_light(const DrawParams *p, TABLE(int) layers, whole layer, Curve curve, real3 colour) {
   real3 from_eye = sub3(curve.joint, uniform3(p->eye[0], p->eye[1], p->eye[2]));
   from_eye = unit3(from_eye, dot3(from_eye, from_eye));
   real edge = power(greater(1.0f - fabs(dot3(curve.normal, from_eye)), REAL(0.0f)), REAL(p->rim_exponent));
   real3 rim = scale3(edge, uniform3(p->rim[0], p->rim[1], p->rim[2]));
+#if STRAND_LAYERS
+#define OWN_RIM(i) bits_as_real(gather_whole(layers, layer + (LAYER_RIM + i)))
+  rim = vec3(rim.x * OWN_RIM(0), rim.y * OWN_RIM(1), rim.z * OWN_RIM(2));
+#undef OWN_RIM
+#endif
   return vec3(fma(colour.x, p->ambient + fill_light(p->fill, curve.normal), rim.x),
               fma(colour.y, p->ambient + fill_light(p->fill + 9, curve.normal), rim.y),
               fma(colour.z, p->ambient + fill_light(p->fill + 18, curve.normal), rim.z));
@@ -145,14 +148,17 @@ CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TAB
     real fade = lesser(to_real(WHOLE(p->strands) - number) * REAL(p->per_fade), REAL(1.0f));
     real radius = drawn_value(strands, u, DRAWN_WIDTH) * (p->widen * fade) * REAL(p->half_per_width);
     truth drawn = number < WHOLE(p->strands);
-    if (!p->is_map) drawn = drawn && is_seen(p, curve, root, joint, tip, depth, 1.5f * radius);    // all strands cast a shadow
+    truth back = faces_away(curve.normal, sub3(uniform3(p->eye[0], p->eye[1], p->eye[2]), curve.root));
+    if (!p->is_map) drawn = drawn && in_picture(p, root, joint, tip, depth, 1.5f * radius);    // all strands cast a shadow
+    if (!p->is_map && p->back_facing == BACK_REMOVED) drawn = drawn && !back;
     if (!some(drawn)) continue;
 
     whole colour = drawn_bits(strands, u, DRAWN_COLOUR);
     whole layer = LAYER_RECORD * ((colour >> 24) & 255);
     whole sort_key = (gather_whole(layers, layer) << 24) | depth_step(p, depth.y);
+    if (p->back_facing == BACK_LAST) sort_key = back ? WHOLE((int)LAST_KEY) : sort_key;
 #if STRAND_LIGHTS
-    real3 steady = steady_light(p, curve, vec3(colour_byte(colour, 0), colour_byte(colour, 1), colour_byte(colour, 2)));
+    real3 steady = steady_light(p, layers, layer, curve, vec3(colour_byte(colour, 0), colour_byte(colour, 1), colour_byte(colour, 2)));
     real scale = 1.0f / (p->skin_shadow_height * drawn_value(strands, u, DRAWN_LENGTH));
     real joint_height = dot3(curve.normal, sub3(curve.joint, curve.root)) * scale;
     real tip_height = dot3(curve.normal, sub3(curve.tip, curve.root)) * scale;

@@ -24,10 +24,12 @@ typedef struct {
   int capacity;                // number of pairs for which a run has room
   int keep_curves;             // 1: strand_keys also writes the curves
   int is_map;                  // 1: an opacity map is drawn (STRAND_MAP)
+  int back_facing;             // what happens to strands that face away from the eye: a BACK_ constant
   int block_side;              // BLOCK_SIDE of the kernel that draws the tiles
   int chunks;                  // number of chunks of the sorted list; one work-item of strand_bin_count counts one chunk
   // Look (harness/strands/drawing/drawing.hpp).
   int segments;
+  int own_segments;            // 1: each strand has as many segments as it needs, at most `segments`
   float taper, opacity;
   float light[3];              // unit vector towards the key light in camera axes: right, down, forward
   float intensity, ambient, exponent;
@@ -63,6 +65,13 @@ enum { DRAWN_KEY, DRAWN_WEIGHT = 3, DRAWN_LENGTH = 5, DRAWN_WIDTH, DRAWN_COLOUR,
 // Columns of the curves: the control points root, joint and tip in R, and the normal at the root, in the object's frame.
 enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUMNS = 12 };
 
+// Strands that face away from the eye are not listed; or they are sorted behind all others and not drawn; or they are
+// drawn.
+#define BACK_REMOVED 0
+#define BACK_LAST 1
+#define BACK_DRAWN 2
+#define LAST_KEY 0xffffffffu   // sort key of strands that face away from the eye with BACK_LAST
+
 // Floats in the row of a strand: X, Y and W of root, joint and tip; half of the width at the root divided by the side of a
 // pixel at the view depth 1; the bits of the colour, with the number of the film frame in the highest byte; the heights of
 // joint and tip above the skin, divided by skin_shadow_height times the length of the strand; red, green and blue of the
@@ -70,9 +79,14 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 // STRAND_LIGHTS 0 do not use the last five floats.
 #define STRAND_ROW 16
 
-// 1: the look has fill lights, a rim light, a shadow of the skin or a film strip.
+// 1: the look has fill lights, a rim light, a shadow of the skin, a film strip, or fur layers with looks of their own.
 #ifndef STRAND_LIGHTS
 #define STRAND_LIGHTS 1
+#endif
+
+// 1: some fur layer has a factor of opacity, taper, gloss or rim light other than 1.
+#ifndef STRAND_LAYERS
+#define STRAND_LAYERS 0
 #endif
 
 // 1: the kernels draw the opacity map of the key light instead of a picture. The rows of the camera matrix then are those of
@@ -98,10 +112,18 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #define LEAST_THROUGH 9.5367431640625e-7f    // least transmittance whose logarithm is the optical depth of a texel, 2^-20
 #define NO_DEPTH 1e30f                       // depth of a texel without fragments, and of a pixel without skin
 
-#define FILM_SAMPLES 8         // samples of a film frame
+// Integers in a frame of the film strip: its samples, and then the bits of the layer's factors of opacity, taper and gloss.
+// Kernels that are built with STRAND_LAYERS 0 do not use the factors. If they are not all 1, each layer has frames of its own.
+#define FILM_SAMPLES 8
+#define FILM_OPACITY 8
+#define FILM_TAPER 9
+#define FILM_GLOSS 10
+#define FILM_RECORD 12
 
-// Integers in the record of a fur layer: its rank, its first film frame, its number of film frames; one unused integer.
-#define LAYER_RECORD 4
+// Integers in the record of a fur layer: its rank, its first film frame, its number of film frames, and the bits of its three
+// factors of the rim light; two unused integers.
+#define LAYER_RIM 3
+#define LAYER_RECORD 8
 
 // Width of a tile in pixels: 16, 32, 64 or 128. A tile is square and has at most 16 x 16 blocks of 8 x 8 pixels.
 #ifndef STRAND_TILE

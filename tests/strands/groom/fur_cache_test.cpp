@@ -52,13 +52,18 @@ TEST_F(FurCache, HasAFilePerMeshCoatAndLayers) {
   scene_.layers.front().locks = 9;
   scene_.chain.first_segment = 0.3f;
   expect_grown();
-  EXPECT_EQ(files().size(), 6u);
+  scene_.layers.front().damping = 2;
+  expect_grown();
+  EXPECT_EQ(files().size(), 7u);
 }
 
 TEST_F(FurCache, DoesNotGrowFurAgainForOtherKeys) {
   kept();
   scene_.layers.front().order_bias = 3;
   scene_.layers.front().order_offset = -2;
+  scene_.layers.front().opacity = 0.4f;
+  scene_.layers.front().gloss = 3;
+  scene_.layers.front().rim = {1, 0, 2};
   scene_.fraction = 0.5f;
   scene_.chain.stiffness = 77;
   scene_.chain.limit_joint = 12;
@@ -99,7 +104,7 @@ TEST_F(FurCache, TheRecipeStandsForTheFur) {
         .bytes(s.colour.data(), 3);
   for (const KeyStrand& key : fur.keys) hash.bytes(&key.rest, sizeof key.rest);
   hash.values(fur.points);
-  EXPECT_EQ(fur_recipe, 3);
+  EXPECT_EQ(fur_recipe, 4);
   EXPECT_EQ(hash.hex(), "007fe6507bf8131f");
 }
 

@@ -51,6 +51,9 @@ TEST(Fur, ChainsHaveTheConstantsOfTheirKeyStrands) {
   scene.chain.limit = 50;
   scene.chain.limit_joint = 33;
   scene.layers.front().stiffness = 2.5f;
+  scene.layers.front().drag = 3;
+  scene.layers.front().damping = 0.5f;
+  scene.layers.front().limit = 1.5f;
   scene.layers.front().length_spread = 0.4f;
   const Fur fur = grow(square(), scene, plain_coat());
   for (std::size_t i = 0; i < fur.keys.size(); ++i) {
@@ -61,8 +64,10 @@ TEST(Fur, ChainsHaveTheConstantsOfTheirKeyStrands) {
     EXPECT_EQ(chain.length, scene.layers.front().length);
     EXPECT_EQ(chain.stiffness_first, 1750);
     EXPECT_EQ(chain.stiffness_second, 225);
-    EXPECT_EQ(chain.limit_first, 50);
-    EXPECT_EQ(chain.limit_second, 33);
+    EXPECT_EQ(chain.limit_first, 75);
+    EXPECT_EQ(chain.limit_second, 49.5f);
+    EXPECT_EQ(chain.drag, 3);
+    EXPECT_EQ(chain.damping, 0.5f);
   }
   EXPECT_NO_THROW(strand_columns(fur.chains, {}));
 }

@@ -64,6 +64,7 @@ inline std::string difference(const Fur& a, const Fur& b) {
     if (c.stiffness_first != d.stiffness_first || c.stiffness_second != d.stiffness_second)
       return "stiffness of a chain";
     if (c.limit_first != d.limit_first || c.limit_second != d.limit_second) return "limit of a chain";
+    if (c.drag != d.drag || c.damping != d.damping) return "damping of a chain";
   }
   if (a.strands.size() != b.strands.size()) return "number of strands";
   for (std::size_t i = 0; i < a.strands.size(); ++i) {

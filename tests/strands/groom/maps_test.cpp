@@ -31,7 +31,7 @@ TEST(FurMaps, WhiteMapsChangeNothing) {
   for (const PathOf map :
        {&StrandLayerScene::mask, &StrandLayerScene::density_map, &StrandLayerScene::length_map,
         &StrandLayerScene::width_map, &StrandLayerScene::stiffness_map, &StrandLayerScene::curvature_map,
-        &StrandLayerScene::twist_map}) {
+        &StrandLayerScene::twist_map, &StrandLayerScene::response_map}) {
     layer.*map = grey(folder, 255);
     EXPECT_EQ(difference(grown(scene), plain), "");
   }
@@ -48,6 +48,7 @@ TEST(FurMaps, AMapOfOneValueEqualsTheProductAsTheKey) {
   for (const Case& c : {Case{&StrandLayerScene::length_map, &StrandLayerScene::length, v},
                         Case{&StrandLayerScene::width_map, &StrandLayerScene::width, v},
                         Case{&StrandLayerScene::stiffness_map, &StrandLayerScene::stiffness, v},
+                        Case{&StrandLayerScene::response_map, &StrandLayerScene::response, v},
                         Case{&StrandLayerScene::curvature_map, &StrandLayerScene::curvature, 2 * v - 1},
                         Case{&StrandLayerScene::twist_map, &StrandLayerScene::twist, 2 * v - 1}}) {
     StrandsScene scene = even();

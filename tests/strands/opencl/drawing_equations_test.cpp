@@ -1,8 +1,10 @@
 // Compiles the kernels' functions for pictures of strands as C++ in double precision, and compares their
 // results with the reference and with the formulas of docs/strands.md, section Drawing.
 #define STRAND_SHADOW 2  // the kernels read the opacity map as SHADOW_EXPONENTIAL
+#define STRAND_LAYERS 1  // fur layers have factors of opacity, taper and gloss
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -90,9 +92,12 @@ DrawParams params() {
 
 TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
   const DrawParams p = params();
-  const std::array<std::int32_t, 16> film{0x10ff80, 0x20e070, 0x30c060, 0x40a050, 0x508040, 0x606030,
-                                          0x704020, 0x802010, 0xff8080, 0xef7090, 0xdf60a0, 0xcf50b0,
-                                          0xbf40c0, 0xaf30d0, 0x9f20e0, 0x8f10f0};
+  constexpr float own_opacity = 0.7f, own_taper = 1.1f, own_gloss = 1.7f;
+  const auto bits = [](float value) { return std::bit_cast<std::int32_t>(value); };
+  const std::array<std::int32_t, 2 * FILM_RECORD> film{
+      0x10ff80, 0x20e070, 0x30c060, 0x40a050, 0x508040,          0x606030,        0x704020,        0x802010,
+      0,        0,        0,        0,        0xff8080,          0xef7090,        0xdf60a0,        0xcf50b0,
+      0xbf40c0, 0xaf30d0, 0x9f20e0, 0x8f10f0, bits(own_opacity), bits(own_taper), bits(own_gloss), 0};
   std::array<float, 64> map{};
   for (std::size_t i = 0; i < 16; ++i) {
     map[4 * i] = 0.1f * float(i % 3);              // least depth
@@ -121,14 +126,14 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
     const glm::dvec3 at = (1 - t) * (1 - t) * root + 2 * t * (1 - t) * joint + t * t * tip;
     EXPECT_NEAR(v.x, at.x / at.z / double(p.pixel), 1e-9);
     EXPECT_NEAR(v.y, at.y / at.z / double(p.pixel), 1e-9);
-    EXPECT_NEAR(v.radius, 4 * (1 - double(p.taper) * t) / at.z, 1e-9);
+    EXPECT_NEAR(v.radius, 4 * (1 - double(p.taper) * double(own_taper) * t) / at.z, 1e-9);
     const double place = 7 * t;
     const auto first = std::size_t(std::min(std::floor(place), 6.0));
     const auto factor = [&](int byte) {
-      const auto value = [&](std::size_t i) { return double(film[8 + i] >> (8 * byte) & 255); };
+      const auto value = [&](std::size_t i) { return double(film[FILM_RECORD + i] >> (8 * byte) & 255); };
       return value(first) + (place - double(first)) * (value(first + 1) - value(first));
     };
-    EXPECT_NEAR(v.alpha, double(p.opacity) * factor(2) / 255 * (1 - t * t * t), 1e-7);
+    EXPECT_NEAR(v.alpha, double(p.opacity) * double(own_opacity) * factor(2) / 255 * (1 - t * t * t), 1e-7);
     const glm::dvec3 tangent = glm::normalize((1 - t) * (joint - root) + t * (tip - joint));
     const double mirror = std::max(0.0, glm::dot(tangent, light) * glm::dot(tangent, from_eye) +
                                             sine(tangent, light) * sine(tangent, from_eye));
@@ -148,10 +153,10 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
       key += weight * std::pow(double(map[4 * texel + 2]), s);
     }
     for (int c = 0; c < 3; ++c) {
-      const double lit =
-          steady[c] + key * double(p.intensity) *
-                          (colour[c] * sine(tangent, light) +
-                           factor(1) / 128 * double(p.specular[c]) * std::pow(mirror, double(p.exponent)));
+      const double lit = steady[c] + key * double(p.intensity) *
+                                         (colour[c] * sine(tangent, light) +
+                                          double(own_gloss) * factor(1) / 128 * double(p.specular[c]) *
+                                              std::pow(mirror, double(p.exponent)));
       EXPECT_NEAR(glm_of(v.colour)[c], shadow * factor(0) / 128 * lit, 1e-6) << k << ", colour " << c;
     }
   }
@@ -163,15 +168,60 @@ TEST(StrandEquations, ACurveIsCutWhereItCrossesTheNearPlane) {
   r.root = shim::vec3(0, 0, 0.2);
   r.joint = shim::vec3(0, 0, 0.15);
   r.tip = shim::vec3(0, 0, 0.02);
-  shim::Part part = shim::visible_part(&p, r);
+  shim::Part part = shim::visible_part(&p, r, p.segments);
   EXPECT_EQ(part.from, 0);
   EXPECT_NEAR(shim::bezier1(0.2, 0.15, 0.02, part.to), double(p.near_depth), 1e-8);
   std::swap(r.root, r.tip);
-  part = shim::visible_part(&p, r);
+  part = shim::visible_part(&p, r, p.segments);
   EXPECT_EQ(part.to, 1);
   EXPECT_NEAR(shim::bezier1(0.02, 0.15, 0.2, part.from), double(p.near_depth), 1e-8);
   r.tip.z = 0.05;
-  EXPECT_FALSE(shim::visible_part(&p, r).drawn);
+  EXPECT_FALSE(shim::visible_part(&p, r, p.segments).drawn);
+}
+
+// The polygon of the strip is at most 1/4 pixel from the curve; with one segment less, it is not, if the
+// strand needs more than three and fewer than all. The curves are parallel to the picture.
+TEST(StrandEquations, AStrandHasAsManySegmentsAsItNeeds) {
+  DrawParams p = params();
+  p.own_segments = 1;
+  p.segments = 7;
+  constexpr double depth = 2.5;
+  const auto furthest = [&](int n, double bend) {
+    double most =
+        0;  // between the curve and its chords, where the parameter of the chord is that of the curve
+    for (int i = 0; i < 4200; ++i) {
+      const double t = i / 4200.0, first = std::floor(t * n) / n, last = first + 1.0 / n;
+      const auto height = [&](double s) { return 2 * s * (1 - s) * bend / 2; };
+      const double chord = height(first) + (t - first) * n * (height(last) - height(first));
+      most = std::max(most, std::abs(height(t) - chord));
+    }
+    return most;
+  };
+  int seen = 0;
+  for (double bend = 0.1; bend < 90; bend *= 1.13) {  // |P0 - 2 P1 + P2|, pixels
+    shim::Row r{};
+    r.root = shim::vec3(0, 0, depth);
+    r.joint = shim::vec3(30 * depth, bend / 2 * depth, depth);
+    r.tip = shim::vec3(60 * depth, 0, depth);
+    const int n = shim::segments_of_strip(&p, r);
+    EXPECT_GE(n, 3);
+    EXPECT_LE(n, 7);
+    if (n < 7) {
+      EXPECT_LE(furthest(n, bend), 0.25 + 1e-6) << bend;
+    }
+    if (n > 3) {
+      EXPECT_GT(furthest(n - 1, bend), 0.25 - 1e-6) << bend;
+    }
+    seen |= 1 << n;
+  }
+  EXPECT_EQ(seen, 0b11111000);
+  shim::Row near{};
+  near.root = near.joint = shim::vec3(0, 0, 0.5);
+  near.tip = shim::vec3(0, 0, 0.05);
+  EXPECT_EQ(shim::segments_of_strip(&p, near), 7) << "the near plane cuts the strand";
+  p.own_segments = 0;
+  p.segments = 5;
+  EXPECT_EQ(shim::segments_of_strip(&p, near), 5);
 }
 
 }  // namespace

@@ -195,8 +195,9 @@ class KernelChain {
   void step() {
     const ChainMoment moment = moments(d_, step_++, 1)[0];
     const k::real3 root = k::vec3(double(chain_.root.x), double(chain_.root.y), double(chain_.root.z));
-    state_ = k::stepped(p_, hold_, k::pull_on(p_, moment, root, 1 / double(chain_.length), 1, 0), state_, 0,
-                        nullptr);
+    state_ = k::stepped(
+        p_, hold_, k::pull_on(p_, moment, root, 1 / double(chain_.length), 1 / double(chain_.length), 1, 0),
+        state_, 0, nullptr);
   }
   reference::State state() const {
     const auto vector = [](k::real3 v) { return glm::dvec3(v.x, v.y, v.z); };

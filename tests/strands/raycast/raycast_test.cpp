@@ -37,7 +37,7 @@ TEST(Raycast, TheTaperNarrowsAStrand) {
   RaycastScene scene = scene_at(200, 100, {0, 0, 4});
   const std::vector<DrawnStrand> strand{straight({0, -0.5f, 0}, {0, 0.5f, 0}, 0.1f)};
   const double whole = covered(raycast(scene, strand, {.samples = 8}).picture);
-  scene.taper = 1;
+  scene.taper = [](std::uint32_t) { return 1.0f; };
   EXPECT_NEAR(covered(raycast(scene, strand, {.samples = 8}).picture), 0.5 * whole, 0.03 * whole);
 }
 
@@ -104,7 +104,8 @@ TEST(Raycast, HasTheCoverageOfTheReference) {
   Look look;
   look.segments = 7;
   look.opacity = 1;
-  look.taper = scene.taper = 0.5f;
+  look.taper = 0.5f;
+  scene.taper = [](std::uint32_t) { return 0.5f; };
   scene.strand_paint = [](std::uint32_t, float t) { return Paint{glm::vec3(0.5f), 1 - t * t * t}; };
   std::vector<DrawnStrand> strands;
   std::vector<Entry> order;

@@ -35,9 +35,9 @@ struct Masses {
         l2(1 - l1),
         m1(1 - double(s.tip_mass)),
         m2(1 - m1),
-        drag(double(s.drag)),
-        d1(double(s.damping_first)),
-        d2(double(s.damping_second)),
+        drag(double(c.drag) * double(s.drag)),
+        d1(double(c.damping) * double(s.damping_first)),
+        d2(double(c.damping) * double(s.damping_second)),
         k1(double(c.stiffness_first)),
         k2(double(c.stiffness_second)),
         rest(c.rest),
@@ -89,12 +89,14 @@ struct Masses {
   }
 };
 
-// Returns a strand whose stops (limits of angles, and the skin) are far away.
+// Returns a strand whose stops (limits of angles, and the skin) are far away, with its own drag and damping.
 inline Chain strand(glm::vec3 rest) {
   Chain c;
   c.rest = c.normal = rest;
   c.length = 0.2f;
   c.limit_first = c.limit_second = 120;
+  c.drag = 1.25f;
+  c.damping = 0.75f;
   return c;
 }
 

@@ -44,7 +44,8 @@ inline DevicePicture draw_on_device(const DrawingScene& scene, const Ball& ball,
 
 /// Expects that the list of strands and the picture are those that the reference draws from the same curves.
 inline void expect_reference_picture(const DrawingScene& scene, const DevicePicture& device) {
-  const std::vector<Entry> order = reference::drawing_order(scene.camera, scene.range, device.curves);
+  const std::vector<Entry> order =
+      reference::drawing_order(scene.camera, scene.range, device.curves, scene.look.back_facing);
   EXPECT_GT(order.size(), 50u);
   ASSERT_EQ(device.order, order);
   const Agreement found = compare(
