@@ -10,6 +10,7 @@ usage() {
   cat <<'TEXT'
 Usage: ./bootstrap.sh table1 [options of pelage run]   set up, build, time Table 1, print it beside the paper's figures
        ./bootstrap.sh test [--full] [options of ctest] set up, build, run the tests; --full: also those that take long
+       ./bootstrap.sh papers [options of pelage reproduce]  set up, build, rerun the papers, write one page
        ./bootstrap.sh build                            set up and build build/release/pelage
        ./bootstrap.sh setup [FILE...]                  install the packages of packages.txt (and of each FILE) only
   --no-install before the command: do not change the system; list the missing packages instead.
@@ -145,6 +146,7 @@ case $command in
   setup) set_up "$install" "$@" ;;
   build) set_up "$install"; build pelage ;;
   table1) set_up "$install"; build pelage; table1 "$@" ;;
+  papers) set_up "$install"; build pelage; "$binary" reproduce "$@" ;;
   test)
     set_up "$install"
     tests=(--label-exclude full)

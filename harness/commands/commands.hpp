@@ -70,6 +70,6 @@ inline void add_results_option(CLI::App& command, std::vector<std::string>& resu
 using AddCommand = void(CLI::App& app, Chosen& chosen);
 AddCommand add_devices, add_scene, add_render, add_animate, add_diagram, add_mesh, add_topology, add_water,
     add_check, add_tune, add_profile, add_list, add_run, add_merge, add_export, add_compare, add_report,
-    add_claims, add_manual;
+    add_claims, add_reproduce, add_manual;
 
 }  // namespace pelage

@@ -164,6 +164,25 @@ std::vector<Case> chosen_cases(const Experiment& experiment, const std::string& 
   return cases;
 }
 
+int run_self(const std::vector<std::string>& given) {
+  std::vector<std::string> words{"pelage"};
+  words.insert(words.end(), given.begin(), given.end());
+  const pid_t child = fork();
+  if (child < 0) throw InputError("the system cannot start another process");
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // the child ends when its parent ends
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    execv("/proc/self/exe", argv.data());
+    _exit(127);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
 int run_repeats(const RunOptions& options, const fs::path& folder) {
   int result = 0;
   for (int index = 0; index < options.repeat; ++index) {
@@ -171,20 +190,7 @@ int run_repeats(const RunOptions& options, const fs::path& folder) {
     words.insert(words.end(), {"--repeat-index", std::to_string(index)});
     if (options.output.empty() && options.resume.empty()) words.insert(words.end(), {"-o", folder.string()});
     fmt::print(stderr, "pelage: process {} of {}\n", index + 1, options.repeat);
-    const pid_t child = fork();
-    if (child < 0) throw InputError("the system cannot start another process");
-    if (child == 0) {
-      prctl(PR_SET_PDEATHSIG, SIGTERM);  // the child ends when its parent ends
-      std::vector<char*> argv;
-      argv.reserve(words.size() + 1);
-      for (std::string& word : words) argv.push_back(word.data());
-      argv.push_back(nullptr);
-      execv("/proc/self/exe", argv.data());
-      _exit(127);
-    }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    const int code = run_self({words.begin() + 1, words.end()});
     if (result == 0) result = code;
     if (code >= 2) break;
   }

@@ -46,6 +46,10 @@ RunOptions checked(RunOptions options);
 std::vector<Case> chosen_cases(const Experiment& experiment, const std::string& preset,
                                const std::string& filter, const Overrides& overrides = {});
 
+/// Runs this program in a new process with these words after the program's name, and returns its exit code.
+/// The new process ends when this one ends. Throws InputError if the system cannot start it.
+int run_self(const std::vector<std::string>& words);
+
 /// Runs this program in options.repeat new processes, one after another. Each process has its own
 /// --repeat-index. Returns the first exit code that is not 0, or 0 if every process ended with 0. After an
 /// exit code of 2 or more, the function starts no further process.

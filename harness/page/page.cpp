@@ -12,6 +12,7 @@
 #include "harness/atomic_file.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
+#include "harness/page/parts.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/table/render.hpp"
@@ -42,7 +43,7 @@ std::string new_nonce() {
 
 }  // namespace
 
-std::string page_of(const std::vector<Report>& reports, const PageParts& parts) {
+std::string html_page(const std::string& title, const std::string& body, const std::vector<Report>& reports) {
   const std::string nonce = new_nonce();
   std::string elements;
   for (const char* name : own_scripts)
@@ -52,14 +53,18 @@ std::string page_of(const std::vector<Report>& reports, const PageParts& parts) 
   page += fmt::format(
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'nonce-{}'; base-uri 'none'; form-action 'none'\">\n",
       nonce);
-  page +=
+  page += fmt::format(
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>pelage: results</title>\n<style>\n";
-  page += web_file("page.css") + "</style>\n</head>\n<body>\n";
-  page += body_of(reports, parts);
+      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>\n",
+      html_text(title));
+  page += web_file("page.css") + "</style>\n</head>\n<body>\n" + body;
   page += "<script type=\"application/json\" id=\"data\">" + data_of(reports) + "</script>\n";
   return page + elements + "</body>\n</html>\n";
+}
+
+std::string page_of(const std::vector<Report>& reports, const PageParts& parts) {
+  return html_page("pelage: results", body_of(reports, parts), reports);
 }
 
 std::vector<std::string> write_page(const std::vector<Report>& reports, const std::filesystem::path& file) {

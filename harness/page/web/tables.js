@@ -48,6 +48,8 @@
     }
     document.getElementById("shown").textContent = `${count} of ${rows.tBodies[0].rows.length} rows`;
   }
-  filter.addEventListener("input", show);
-  show();
+  if (filter) {   // the page of `pelage reproduce` has no list of all rows
+    filter.addEventListener("input", show);
+    show();
+  }
 })();

@@ -1,0 +1,242 @@
+// pelage reproduce: runs everything that a paper's tables, figures and claims need, and writes one page.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "harness/claims/judge.hpp"
+#include "harness/commands/commands.hpp"
+#include "harness/commands/run_options.hpp"
+#include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
+#include "harness/experiment/paper_plan.hpp"
+#include "harness/measure/interrupt.hpp"
+#include "harness/mesh/models.hpp"
+#include "harness/page/papers.hpp"
+#include "harness/record/results_folder.hpp"
+#include "harness/report/csv.hpp"
+#include "harness/report/report.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view smoke_size = "160x120";
+
+struct ReproduceOptions {
+  std::vector<std::string> papers;
+  std::string preset = "quick", output, resume, device;
+  bool anonymous = false, dry_run = false;
+
+  bool smoke() const { return preset == "smoke"; }
+};
+
+/// A run of `pelage run`.
+struct Step {
+  std::string experiment, preset;
+  std::vector<std::string> options;
+  std::size_t cases = 0;
+};
+
+bool is_figure(const Experiment& experiment) {
+  return experiment.collection == "figures";
+}
+
+/// The preset of this name, or the experiment's own quick one. The smoke presets of figures draw only some of
+/// their cases, so that all of them are drawn, at a small size.
+Step step_of(const std::string& name, const ReproduceOptions& options) {
+  const Experiment experiment = read_experiment(experiment_file(name));
+  const bool figure = is_figure(experiment);
+  const bool has = experiment.presets.contains(options.preset);
+  Step step{name, has && !figure ? options.preset : "quick", {}, 0};
+  Overrides overrides;
+  if (figure && options.smoke()) {
+    step.options = {"--axis", fmt::format("size={}", smoke_size)};
+    overrides.axes = {{"size", {std::string(smoke_size)}}};
+  }
+  step.cases = cases_of(experiment, preset_of(experiment, step.preset), overrides).size();
+  return step;
+}
+
+/// The experiments whose rows the claims of the paper use.
+std::vector<std::string> claimed(const claims::ClaimFile& file, const PaperPlan& plan) {
+  std::vector<std::string> names;
+  for (const claims::Claim& claim : file.claims)
+    if (claim.paper == plan.paper)
+      names.insert(names.end(), claim.experiments.begin(), claim.experiments.end());
+  return names;
+}
+
+std::vector<Step> steps_of(const std::vector<PaperPlan>& plans, const claims::ClaimFile& claims,
+                           const ReproduceOptions& options) {
+  std::vector<Step> steps;
+  std::set<std::string> names;
+  for (const PaperPlan& plan : plans)
+    for (const std::string& name : experiments_of(plan, claimed(claims, plan)))
+      if (names.insert(name).second) steps.push_back(step_of(name, options));
+  return steps;
+}
+
+/// Runs the step, or what is left of it. Returns the exit code of `pelage run`.
+int run_step(const Step& step, const ReproduceOptions& options, const fs::path& folder) {
+  std::vector<std::string> words{"run", step.experiment, "--preset", step.preset};
+  words.insert(words.end(), step.options.begin(), step.options.end());
+  const bool begun = fs::is_directory(folder / step.experiment);
+  words.insert(words.end(), {begun ? "--resume" : "-o", folder.string()});
+  if (!options.device.empty()) words.insert(words.end(), {"--device", options.device});
+  if (options.anonymous) words.emplace_back("--anonymous");
+  return run_self(words);
+}
+
+/// Returns the case of the panel.
+Case case_of(const FigurePanel& panel, const ReproduceOptions& options) {
+  const Step step = step_of(panel.experiment, options);
+  const Experiment experiment = read_experiment(experiment_file(panel.experiment));
+  Overrides overrides;
+  if (!step.options.empty()) overrides.axes = {{"size", {std::string(smoke_size)}}};
+  for (const Case& which : cases_of(experiment, preset_of(experiment, step.preset), overrides))
+    if (which.name.starts_with(panel.name + "-") || which.name == panel.name) return which;
+  throw InputError(fmt::format("experiments/papers: {} has no case {}", panel.experiment, panel.name));
+}
+
+bool is_table(const std::string& diagram) {
+  static const std::set<std::string> tables{"shape", "clump", "curl", "layers", "path"};
+  return tables.contains(diagram);
+}
+
+/// Returns the picture of the panel, and draws it if it is missing. Returns "" if it cannot be drawn.
+fs::path picture_of(const FigurePanel& panel, const fs::path& stem, const ReproduceOptions& options,
+                    const fs::path& folder) {
+  if (panel.diagram.empty() && panel.scene.empty()) {
+    const fs::path image = folder / panel.experiment / "images" / (case_of(panel, options).name + ".png");
+    return fs::is_regular_file(image) ? image : fs::path();
+  }
+  fs::path file = stem;
+  file += is_table(panel.diagram) ? ".svg" : ".png";
+  if (fs::is_regular_file(file)) return file;
+  std::vector<std::string> words;
+  if (panel.diagram.empty())
+    words = {"render", panel.scene};
+  else if (panel.scene.empty())
+    words = {"diagram", panel.diagram, panel.experiment, "--case", case_of(panel, ReproduceOptions{}).name};
+  else
+    words = {"diagram", panel.diagram, panel.scene};
+  words.insert(words.end(), panel.options.begin(), panel.options.end());
+  const bool drawn = panel.diagram.empty() || panel.diagram == "lines" || panel.diagram == "wind";
+  if (options.smoke() && drawn)
+    words.insert(words.end(), {"--set", "image.width=160", "--set", "image.height=120"});
+  if (!options.device.empty() && drawn) words.insert(words.end(), {"--device", options.device});
+  fs::path part = stem;  // the file gets its name when it is complete
+  part += is_table(panel.diagram) ? "-part.svg" : "-part.png";
+  words.insert(words.end(), {"-o", part.string()});
+  if (run_self(words) != 0) return {};
+  fs::rename(part, file);
+  return file;
+}
+
+std::vector<std::vector<fs::path>> figures_of(const PaperPlan& plan, const ReproduceOptions& options,
+                                              const fs::path& folder, std::vector<std::string>& notes) {
+  std::vector<std::vector<fs::path>> all;
+  for (const PaperFigure& figure : plan.figures) {
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+      const fs::path stem =
+          folder / "figures" / fmt::format("{}-{}-{}", plan.name, all.size() + 1, char('a' + i));
+      files.push_back(picture_of(figure.panels[i], stem, options, folder));
+      if (files.back().empty())
+        notes.push_back(fmt::format("{}, {}: the picture \"{}\" is missing", plan.title, figure.title,
+                                    figure.panels[i].label));
+    }
+    all.push_back(std::move(files));
+  }
+  return all;
+}
+
+std::string footnote_of(const std::string& name) {
+  static const std::vector<Model> known = models();
+  for (const Model& model : known)
+    if (model.name == name) return model.footnote;
+  return {};
+}
+
+int reproduce(const ReproduceOptions& options) {
+  std::vector<PaperPlan> plans;
+  for (const std::string& name : options.papers) plans.push_back(paper_plan(name));
+  if (plans.empty()) plans = paper_plans();
+  const claims::ClaimFile claims = claims::read_claims(claims::shipped_claims());
+  const std::vector<Step> steps = steps_of(plans, claims, options);
+  std::size_t cases = 0, figures = 0;
+  for (const Step& step : steps) cases += step.cases;
+  for (const PaperPlan& plan : plans) figures += plan.figures.size();
+  if (options.dry_run) {
+    for (const Step& step : steps) fmt::print("{}\t{}\t{}\n", step.experiment, step.preset, step.cases);
+    fmt::print(stderr, "pelage: {} experiments with {} cases, {} figures; nothing was run\n", steps.size(),
+               cases, figures);
+    return 0;
+  }
+  RunOptions where;
+  where.output = options.output;
+  where.resume = options.resume;
+  where.anonymous = options.anonymous;
+  const fs::path folder = where.folder();
+  refuse_recordings(folder);
+  fs::create_directories(folder / "figures");
+  end_on_interrupt(
+      folder.string(),
+      "what is finished is kept; continue with: pelage reproduce ... --resume " + folder.string());
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    fmt::print(stderr, "pelage: experiment {} of {}: {}, {} cases\n", i + 1, steps.size(),
+               steps[i].experiment, steps[i].cases);
+    const int code = run_step(steps[i], options, folder);
+    if (code == 130 || code == 143) return code;
+    if (code != 0)
+      notes.push_back(code == 1
+                          ? fmt::format("{}: some cases have no time", steps[i].experiment)
+                          : fmt::format("{}: pelage run ended with code {}", steps[i].experiment, code));
+  }
+  PapersPage page;
+  for (const PaperPlan& plan : plans) page.papers.push_back({plan, figures_of(plan, options, folder, notes)});
+  Results results = read_all_results({folder.string()});
+  const std::vector<Report> reports =
+      write_reports(results.rows, folder / "page", footnote_of, results.left_out);
+  page.claims = claims::judge(claims, input_sets(results.rows).front().rows);
+  page.notes = notes;
+  page.preset = options.preset;
+  page.smoke = options.smoke();
+  const fs::path file = folder / "page" / "index.html";
+  write_papers_page(reports, page, file);
+  for (const std::string& note : notes) fmt::print(stderr, "pelage: {}\n", note);
+  fmt::print("{}\n", file.string());
+  return notes.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app, Chosen& chosen) {
+  auto [command, options] = add_command<ReproduceOptions>(
+      app, chosen, "reproduce",
+      "Run what the tables, figures and claims of papers need, and write one page with all of them",
+      reproduce);
+  std::string known;
+  try {
+    for (const PaperPlan& plan : paper_plans()) known += (known.empty() ? "" : ", ") + plan.name;
+  } catch (const InputError&) {
+    known = "see experiments/papers";
+  }
+  add_value(command, "papers", options.papers, "PAPER", "Papers (default: all): " + known);
+  add_value(
+      command, "--preset", options.preset, "smoke|quick|paper",
+      "smoke: small pictures and few frames, no claims; quick: claims are judged; paper: for published numbers")
+      ->check(CLI::IsMember({"smoke", "quick", "paper"}));
+  add_value(command, "-o,--output", options.output, "DIR", "New folder for rows, pictures and the page");
+  add_value(command, "--resume", options.resume, "DIR", "Continue in this folder; what is finished is kept")
+      ->excludes("--output");
+  add_device_option(command, options.device);
+  command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
+  command.add_flag("--dry-run", options.dry_run, "Print the experiments without running them");
+}
+
+}  // namespace pelage

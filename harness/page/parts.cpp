@@ -1,0 +1,99 @@
+#include "harness/page/parts.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "harness/claims/print.hpp"
+
+namespace pelage {
+namespace {
+
+/// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ", or else the name of the experiment.
+std::string detail_of(const std::string& subtitle) {
+  const std::size_t comma = subtitle.find(", ");
+  return comma == std::string::npos ? subtitle.substr(0, subtitle.find(" on ")) : subtitle.substr(comma + 2);
+}
+
+}  // namespace
+
+std::string contents_of(const std::vector<Entry>& entries) {
+  std::string html = "<ul>\n";
+  int level = 1;
+  for (const Entry& entry : entries) {
+    if (&entry != &entries.front()) html += entry.level > level ? "<ul>\n" : "</li>\n";
+    if (entry.level < level) html += "</ul></li>\n";
+    level = entry.level;
+    const auto same = std::ranges::count(entries, entry.title, &Entry::title);
+    std::string title = html_text(entry.title);
+    if (same > 1 && !entry.detail.empty())
+      title += fmt::format(" <span class=\"soft\">({})</span>", html_text(entry.detail));
+    html += fmt::format("<li><a href=\"#{}\">{}</a>", entry.id, title);
+  }
+  if (!entries.empty()) html += "</li>\n";
+  if (level > 1) html += "</ul></li>\n";
+  return html + "</ul>\n";
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (k < count ? std::uint32_t(std::uint8_t(bytes[i + k])) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? letters[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+void add_plot(Body& body, const Report& report, const ReportPlot& plot, const std::string& table) {
+  std::ifstream stream(report.folder / "plots" / (plot.stem + ".svg"), std::ios::binary);
+  const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::size_t start = svg.find("<svg ");
+  if (start == std::string::npos) return;
+  // The caption omits the part of the plot's title after ": ". The page already
+  // shows this part above the plot, as the subtitle of the table.
+  body.add(fmt::format(
+      "<figure class=\"plot\">\n<figcaption>{}</figcaption>\n<svg role=\"img\" aria-label=\"{}\" {}\n",
+      html_text(plot.title.substr(0, plot.title.find(": "))), html_text(plot.title), svg.substr(start + 5)));
+  body.save_buttons({{table, "CSV of the plot"}});
+  body.add("</figure>\n");
+}
+
+void add_table(Body& body, const Table& table, bool latex) {
+  body.heading(table.title, 2, detail_of(table.subtitle));
+  body.remark(table.subtitle);
+  body.add(html_of(table));
+  std::vector<std::pair<std::string, std::string>> buttons{{table.stem + ".csv", "CSV"}};
+  if (latex) buttons.emplace_back(table.stem + ".tex", "LaTeX");
+  body.save_buttons(buttons);
+}
+
+void add_claims(Body& body, const std::vector<claims::Judged>& judged, const char* title) {
+  if (judged.empty()) return;
+  body.heading(title, 2);
+  body.remark("The claims are in our words. Each verdict is computed from the rows of this page.");
+  body.add(
+      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th><th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
+  for (const claims::Judged& one : judged) {
+    std::string details = one.reason;
+    for (const std::string& note : one.notes) details += (details.empty() ? "" : "; ") + note;
+    body.add(fmt::format(
+        "<tr><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}</td><td data-sort=\"{3}\">{4}</td><td>{5}</td><td class=\"prose\">{6}, {7}</td></tr>\n",
+        to_text(one.verdict), html_text(one.claim.statement),
+        details.empty() ? "" : fmt::format("<br><span class=\"soft\">{}</span>", html_text(details)),
+        one.value ? fmt::format("{:.6g}", *one.value) : "",
+        one.value ? fmt::format("{}<br><span class=\"soft\">{}</span>", html_text(claims::effect_text(one)),
+                                html_text(claims::description_of(one.claim)))
+                  : "–",
+        one.value ? html_text(one.claim.relation) : "–", html_text(one.claim.paper),
+        html_text(one.claim.section)));
+  }
+  body.add("</tbody></table></div>\n");
+  body.save_buttons({{"claims.csv", "CSV"}});
+}
+
+}  // namespace pelage
