@@ -119,6 +119,11 @@ def table1():
             f"{span((ours['median_ms'] / printed['median_ms'] for printed, ours in found), '.2f')})."), ""
 
 
+def processor(row):
+    """Returns the processor that recorded the row, without PoCL's name for its instructions and the maker's marks."""
+    return row["device"].rsplit("-", 1)[1].replace("(R)", "").replace(" Processor", "").strip()
+
+
 def ratio_row(label, rows):
     rows = sorted(rows, key=lambda row: row["opengl_ratio"])
 
@@ -126,18 +131,24 @@ def ratio_row(label, rows):
         units = {"layers": "layers", "count": "strands"}
         place = ", ".join(f"{row[key]:.0f} {unit}" for key, unit in units.items() if key in row)
         return f"{row['opengl_ratio']:.1f} ({row['model']}, {place}, {row['size']})"
-    return [label, len(rows), f"{mean(row['opengl_ratio'] for row in rows):.2f}", cell(rows[0]), cell(rows[-1])]
+    return [label, processor(rows[0]), len(rows), f"{mean(row['opengl_ratio'] for row in rows):.2f}", cell(rows[0]), cell(rows[-1])]
 
 
 def opengl():
-    strongest = "strongest variant of the baseline"
-    def read(label, name):
-        found = table(name)    # rows that were recorded before the readings existed are of the reading `pelage`
-        return label + ("" if found[0].get("reading") == "paper" else ", reading `pelage`"), found
-    rows = [read(label, name) for label, name in (
-        ("Table 1", "rivals/rivals-ratio.csv"), (f"Table 1, {strongest}", "rivals/rivals-strongest-ratio.csv"),
-        ("Table 1, without AVX-512", "rivals-avx2/rivals-ratio.csv"),
-        (f"Table 1, without AVX-512, {strongest}", "rivals-avx2/rivals-strongest-ratio.csv"))]
+    hidden, strongest = "without AVX-512", "strongest variant of the baseline"
+    rows, intervals = [], []
+    for label, name in (
+            ("Table 1", "rivals/rivals"), (f"Table 1, {strongest}", "rivals/rivals-strongest"),
+            ("Table 1", "rivals-xeon/rivals"), (f"Table 1, {strongest}", "rivals-xeon/rivals-strongest"),
+            (f"Table 1, {hidden}", "rivals-avx2/rivals"), (f"Table 1, {hidden}, {strongest}", "rivals-avx2/rivals-strongest")):
+        if not (ROOT / f"results/tables/{name}-ratio.csv").exists():
+            continue
+        found = table(f"{name}-ratio.csv")    # rows that were recorded before the readings existed are of the reading `pelage`
+        rows.append((label + ("" if found[0].get("reading") == "paper" else ", reading `pelage`"), found))
+        interval_of = re.search(r"over 32 of 32 cells \(95% interval ([\d.]+) to ([\d.]+) over (\d+) separate runs\)",
+                                (ROOT / f"results/tables/{name}-ratio.txt").read_text(encoding="utf-8"))
+        if interval_of:
+            intervals.append(f"{label} on the {processor(found[0])}: {interval_of[1]} to {interval_of[2]} ({interval_of[3]} processes)")
     tori = by(table("rivals/rivals-tori-ratio.csv"), "reading", "effects")
     rows += [("two tori, curls and clumps", tori["paper", "all"]), ("two tori, plain shells", tori["paper", "none"]),
              ("two tori, curls and clumps, reading `pelage`", tori["pelage", "all"]),
@@ -146,14 +157,11 @@ def opengl():
     yield "OpenGL baseline", (
         "Frame time of the OpenGL baseline (llvmpipe on the same processor) / frame time of our kernels "
         "(`docs/baselines.md`), in the reading `paper` unless a line names another."), markdown(
-        ["scene", "cells", "geometric mean", "lowest ratio", "highest ratio"], [ratio_row(*row) for row in rows])
-    found = re.search(r"over 32 of 32 cells \(95% interval ([\d.]+) to ([\d.]+) over 3 separate runs\)",
-                      (ROOT / "results/tables/rivals/rivals-ratio.txt").read_text(encoding="utf-8"))
-    yield None, (f"The 95% interval of the mean in the first line is {found[1]} to {found[2]}." if found else
-                 "One process recorded the first line, so its mean has no interval."), ""
-    yield None, "Geometric mean of the ratio by model (Table 1):", markdown(["model", "ratio"], [
+        ["scene", "processor", "cells", "geometric mean", "lowest ratio", "highest ratio"], [ratio_row(*row) for row in rows])
+    yield None, f"95% intervals of the means: {'; '.join(intervals)}. One process recorded each of the other lines of Table 1.", ""
+    yield None, "Geometric mean of the ratio by model (first line):", markdown(["model", "ratio"], [
         [model, f"{mean(row['opengl_ratio'] for row in some):.1f}"]
-        for (model,), some in by(table("rivals/rivals-ratio.csv"), "model").items()])
+        for (model,), some in by(rows[0][1], "model").items()])
 
 
 def options():
@@ -307,8 +315,9 @@ def trials():
 
 INTRODUCTION = """# Recorded results
 
-A virtual machine with two AMD EPYC cores and no GPU recorded these results (PoCL, and llvmpipe for OpenGL).
-`scripts/record_all.sh` records all results again. Each experiment has a folder with its rows. `results/tables` holds
+A virtual machine with two cores and no GPU recorded these results (PoCL, and llvmpipe for OpenGL). The processor is an
+AMD EPYC unless a table names another. `scripts/record_all.sh` records all results again; `results/xeon` has rows of a
+second machine. Each experiment has a folder with its rows. `results/tables` holds
 the tables and plots that `pelage report` made of them, from which `scripts/recorded_tables.py` writes this page (a
 test compares both). [claims.md](claims.md) has the verdicts on the papers' claims, [notes.md](notes.md) what was tried
 to make the kernels faster. Numbers in square brackets are 95% intervals. [The glossary](../docs/glossary.md) defines

@@ -66,8 +66,9 @@ TEST(RecordedRows, StillGiveTheRecordedTables) {
       {"table1", {"silva2010-table1"}, 7},
       {"wet", {"wetfur2010-"}, 8},
       {"topology", {"banisch2006-", "topology-"}, 45},
-      {"rivals", {"rival"}, 12},
-      {"rivals-avx2", {"avx2"}, 5},
+      {"rivals", {"rival"}, 10},
+      {"rivals-xeon", {"xeon"}, 6},
+      {"rivals-avx2", {"avx2"}, 4},
       {"effects", {"overheads", "readings", "silva2010-self-shadow"}, 9, {"provenance.txt"}},
       {"strands", {"demoreuille2011-", "shells-vs-strands", "strands-opengl-ways"}, 16},
       {"scaling", {"layers", "scaling"}, 6, {"provenance.txt"}}};
