@@ -128,9 +128,9 @@ def ratio_row(label, rows):
     rows = sorted(rows, key=lambda row: row["opengl_ratio"])
 
     def cell(row):
-        units = {"layers": "layers", "count": "strands"}
-        place = ", ".join(f"{row[key]:.0f} {unit}" for key, unit in units.items() if key in row)
-        return f"{row['opengl_ratio']:.1f} ({row['model']}, {place}, {row['size']})"
+        units = {"layers": "{:.0f} layers", "count": "{:.0f} strands", "distance": "{}"}
+        places = [unit.format(row[key]) for key, unit in units.items() if row.get(key, "") != ""]
+        return f"{row['opengl_ratio']:.1f} ({', '.join([row['model'], *places, row['size']])})"
     return [label, processor(rows[0]), len(rows), f"{mean(row['opengl_ratio'] for row in rows):.2f}", cell(rows[0]), cell(rows[-1])]
 
 
@@ -139,7 +139,7 @@ def opengl():
     rows, intervals = [], []
     for label, name in (
             ("Table 1", "rivals/rivals"), (f"Table 1, {strongest}", "rivals/rivals-strongest"),
-            ("Table 1", "rivals-xeon/rivals"), (f"Table 1, {strongest}", "rivals-xeon/rivals-strongest"),
+            ("Table 1", "xeon/rivals"), (f"Table 1, {strongest}", "xeon/rivals-strongest"),
             (f"Table 1, {hidden}", "rivals-avx2/rivals"), (f"Table 1, {hidden}, {strongest}", "rivals-avx2/rivals-strongest")):
         if not (ROOT / f"results/tables/{name}-ratio.csv").exists():
             continue
@@ -153,7 +153,9 @@ def opengl():
     rows += [("two tori, curls and clumps", tori["paper", "all"]), ("two tori, plain shells", tori["paper", "none"]),
              ("two tori, curls and clumps, reading `pelage`", tori["pelage", "all"]),
              ("two tori, plain shells, reading `pelage`", tori["pelage", "none"]),
-             ("strands", table("strands/demoreuille2011-scaling-ratio.csv"))]
+             ("strands", table("strands/demoreuille2011-scaling-ratio.csv")),
+             ("a monster, all of D's pipeline", [row for row in table("xeon/demoreuille2011-full-ratio.csv")
+                                                  if row["opengl_ratio"] != ""])]
     yield "OpenGL baseline", (
         "Frame time of the OpenGL baseline (llvmpipe on the same processor) / frame time of our kernels "
         "(`docs/baselines.md`), in the reading `paper` unless a line names another."), markdown(
@@ -304,6 +306,18 @@ def strands():
                                              for row in table("strands/strands-opengl-ways-ratio.csv")])
 
 
+def switches():
+    rows = by(table("xeon/demoreuille2011-switches.csv"), "switch", "distance")
+    places = list(dict.fromkeys(distance for _, distance in rows))
+    kinds = [kind for kind in dict.fromkeys(kind for kind, _ in rows) if kind != "paper"]
+    yield "Strands that face away, and segments of strands", (
+        "Frame time / frame time with strands that face away sorted to the end and left out there, and 7 segments for each "
+        "strand (experiment demoreuille2011-switches, Intel Xeon); in round brackets the PSNR of the two pictures in dB."), markdown(
+        ["switch", *places],
+        [[kind, *(f"{interval(row, 'frame_over_baseline')} ({row['baseline_psnr']:.0f})" for [row] in
+                  (rows[kind, place] for place in places))] for kind in kinds])
+
+
 def trials():
     verdicts = by(table("aa-test/trials.csv"), "side", "verdict")
     sides = {side: sum(len(rows) for (s, _), rows in verdicts.items() if s == side) for side in ("equal", "slower")}
@@ -327,7 +341,7 @@ the terms.
 
 def page():
     text = INTRODUCTION
-    for section in (table1, opengl, options, strands, springs, networks, effects, scaling, trials):
+    for section in (table1, opengl, options, strands, switches, springs, networks, effects, scaling, trials):
         for title, sentence, body in section():
             text += "".join(f"\n{part}\n" if part != body else f"\n{part}" for part in (
                 f"## {title}" if title else "", sentence, body) if part)

@@ -70,11 +70,11 @@ void write_look(Hdf5File& file, const StrandInput& input) {
   file.write(
       "light/layer", column(input.look.layers, layer), "1",
       "rank of each fur layer in the sort keys, index of its first frame in light/film, and number of its frames, which is 1 without a film strip");
-  const auto look = [](const LayerLook& l) {
-    return std::array{l.opacity, l.taper, l.gloss, l.rim.x, l.rim.y, l.rim.z};
-  };
+  const auto look = [](const LayerLook& l) { return std::array{l.opacity, l.taper, l.gloss}; };
   file.write("light/layer_look", column(input.look.layers, look), "1",
-             "factors of each fur layer: opacity, taper, gloss, and red, green and blue of the rim light");
+             "factors of each fur layer: opacity, taper and gloss");
+  file.write("light/layer_rim", column(input.look.layers, &LayerLook::rim), "1",
+             "factors of the rim light of each fur layer: red, green and blue");
   std::vector<std::array<std::uint8_t, 3>> film;
   for (const FilmFrame& frame : input.look.film)
     for (const FilmSample& sample : frame) film.push_back({sample.luminance, sample.gloss, sample.opacity});

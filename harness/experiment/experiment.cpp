@@ -215,7 +215,9 @@ Case control_case(const Experiment& experiment, const Case& which) {
   for (const Axis& axis : experiment.axes) {
     const std::string& own = which.axes.at(axis.key);
     const bool shipped = axis.key == "reading" && std::ranges::count(reading_names, own) > 0;
-    axes.push_back({axis.key, {is_named(axis.key) && !shipped ? axis.values.front() : own}});
+    const bool chosen = experiment.baseline.empty() ? is_named(axis.key) && !shipped
+                                                    : std::ranges::count(experiment.baseline, axis.key) > 0;
+    axes.push_back({axis.key, {chosen ? axis.values.front() : own}});
   }
   for (const auto& [key, value] : which.axes)
     if (std::ranges::none_of(axes, [&k = key](const Axis& axis) { return axis.key == k; }))

@@ -70,6 +70,8 @@ inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapp
 struct Experiment {
   std::string name, title, paper, table, hardware;
   std::string collection;  ///< name with which `pelage run` runs the whole collection; may be empty
+  /// Axes that control_case() sets to their first values; empty: see there.
+  std::vector<std::string> baseline;
   std::filesystem::path file;
   std::filesystem::path scene_file;  ///< value of the key `file` in the table [scene]; may be empty
   Scene base;                        ///< the scene in `scene_file`; if that is empty, the default scene
@@ -151,9 +153,9 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
 /// scene file.
 Scene scene_of(const Experiment& experiment, const Case& which);
 
-/// Returns the case with the first value, in the experiment file, of each axis whose values are names of
-/// tables, other than model, layers, size and variant. Other axes, the readings paper and pelage, and --set
-/// stay.
+/// Returns the case with the first value, in the experiment file, of each axis in Experiment::baseline. If
+/// that is empty, of each axis whose values are names of tables, other than model, layers, size and variant.
+/// Other axes, the readings paper and pelage, and --set stay.
 Case control_case(const Experiment& experiment, const Case& which);
 
 /// The option --filter: a regular expression in RE2's syntax that selects cases by their names. RE2 matches

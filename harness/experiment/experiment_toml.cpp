@@ -27,9 +27,9 @@ struct Source {
 };
 
 /// Top-level keys of experiment files. An axis must not have one of these names.
-const std::set<std::string, std::less<>> reserved{"name",       "title",    "paper",  "table",
-                                                  "collection", "hardware", "axes",   "scene",
-                                                  "published",  "require",  "preset", "report"};
+const std::set<std::string, std::less<>> reserved{"name",     "title",  "paper",   "table",     "collection",
+                                                  "hardware", "axes",   "scene",   "published", "require",
+                                                  "preset",   "report", "baseline"};
 
 /// Columns of exported CSV files and data frames, in which each axis becomes a column too.
 const std::set<std::string, std::less<>> columns{"case",       "clock",   "contended", "converged", "device",
@@ -258,7 +258,7 @@ void read_tables_of_own_axis(const fs::path& file, const std::string& axis, cons
     refuse(
         file, &node,
         fmt::format(
-            "unknown key {} (known: axes, collection, hardware, layers, model, name, paper, preset, published, reading, require, scene, size, table, title, variant, and the names of axes; scene keys belong in the table [scene])",
+            "unknown key {} (known: axes, baseline, collection, hardware, layers, model, name, paper, preset, published, reading, require, scene, size, table, title, variant, and the names of axes; scene keys belong in the table [scene])",
             axis));
   if (!node.is_table()) refuse(file, &node, fmt::format("{} must be a table", axis));
   read_tables_of_axis(file, axis, *node.as_table(), into);
@@ -315,10 +315,12 @@ Experiment read_experiment(const fs::path& file) {
   result.table = in.text("table");
   result.hardware = in.text("hardware");
   result.collection = in.text("collection");
+  result.baseline = in.texts("baseline");
   if (!RE2::FullMatch(result.name, "[A-Za-z0-9][A-Za-z0-9._-]*"))
     in.refuse("name",
               "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
-  static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware", "collection"};
+  static const std::set<std::string_view> texts{"name",     "title",      "paper",   "table",
+                                                "hardware", "collection", "baseline"};
   static const std::set<std::string_view> tabled{"model", "layers", "size", "reading", "variant"};
 
   for (const auto& [key, node] : table) {
@@ -343,6 +345,9 @@ Experiment read_experiment(const fs::path& file) {
       read_tables_of_axis(file, std::string(key.str()), *inner, result);
     }
   }
+  for (const std::string& name : result.baseline)
+    if (std::ranges::none_of(result.axes, [&](const Axis& axis) { return axis.key == name; }))
+      in.refuse("baseline", fmt::format("baseline: there is no axis {}", name));
   // These tables name axes, so they are read last: presets may add axes.
   if (const toml::table* published = in.table("published"))
     result.published = read_published(file, *published, result);

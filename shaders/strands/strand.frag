@@ -1,8 +1,8 @@
 // Computes the coverage of a strand in a pixel, and its premultiplied colour. In an opacity map (MAP), it computes what the
 // blending of OpenGL adds to a texel: the least depth; alpha times depth, alpha, and the alpha that reduces the transmittance.
-noperspective in vec3 across;
-noperspective in vec3 colour;
-noperspective in float depth;
+in vec3 across;
+in vec3 colour;
+in float depth;
 #ifdef MAP
 layout(location = 0) out float least;
 layout(location = 1) out vec4 sums;

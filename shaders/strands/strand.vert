@@ -14,9 +14,9 @@ layout(std430, binding = 1) readonly buffer Lights { vec4 light[]; };
 #endif
 #endif
 
-noperspective out vec3 across;
-noperspective out vec3 colour;
-noperspective out float depth;
+out vec3 across;
+out vec3 colour;
+out float depth;
 
 void main() {
 #ifdef INSTANCED
@@ -46,9 +46,7 @@ void main() {
   across = v.across;
   colour = v.colour;
   depth = v.depth;
-#ifdef MAP
-  gl_Position = vec4(v.at / vec2(HALF_WIDTH, HALF_HEIGHT), 0.0, 1.0);
-#else
-  gl_Position = vec4(v.at / vec2(HALF_WIDTH, HALF_HEIGHT) * v.depth, NEAR, v.depth);
-#endif
+  // The strip is cut at the near plane and projected, so that all values are linear on the screen. A strand that is not drawn
+  // lies beyond the far plane.
+  gl_Position = v.drawn ? vec4(v.at / vec2(HALF_WIDTH, HALF_HEIGHT), 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -92,16 +92,44 @@ struct Vertex {
   float depth;
   vec3 across;     // distance from the strand's centre line, half of the width (both in pixels), alpha
   vec3 colour;
+  bool drawn;      // false: the strand has no part in front of the near plane; the other values are 0
 };
+
+// The part of the curve that is in front of the near plane (docs/strands.md, section Curve); (0, 0) if there is none.
+vec2 visible_part(Strand s, int segments) {
+#ifdef MAP
+  return vec2(0.0, 1.0);
+#else
+  if (min(s.root.z, min(s.joint.z, s.tip.z)) >= NEAR) return vec2(0.0, 1.0);
+  bool root_in_front = s.root.z >= NEAR;
+  if (!root_in_front && s.tip.z < NEAR) return vec2(0.0);
+  int first = segments + 1, last = -1;
+  for (int k = 0; k <= segments; ++k)
+    if (curve(s, float(k) / float(segments)).z < NEAR) {
+      first = min(first, k);
+      last = k;
+    }
+  if (last < 0) return vec2(0.0, 1.0);
+  float front = float(root_in_front ? first - 1 : last + 1) / float(segments);
+  float behind = float(root_in_front ? first : last) / float(segments);
+  for (int i = 0; i < 24; ++i) {
+    float middle = 0.5 * (front + behind);
+    if (curve(s, middle).z >= NEAR) front = middle; else behind = middle;
+  }
+  return root_in_front ? vec2(0.0, front) : vec2(front, 1.0);
+#endif
+}
 
 Vertex strip_vertex(Strand s, int k, float side) {
   int segments = segments_of(s);
   k = min(k, segments);   // the other vertices of the strip lie at the tip
-  float t = float(k) / float(segments);
+  vec2 part = visible_part(s, segments);
+  float spacing = (part.y - part.x) / float(segments), t = part.x + float(k) * spacing;
   vec3 p = curve(s, t);
+  if (part.y == 0.0) return Vertex(vec2(0.0), 0.0, vec3(0.0), vec3(0.0), false);
   vec2 here = p.xy * per_depth(p.z);
-  vec2 before = k > 0 ? direction(place(s, float(k - 1) / float(segments)), here) : vec2(0.0);
-  vec2 behind = k < segments ? direction(here, place(s, float(k + 1) / float(segments))) : vec2(0.0);
+  vec2 before = k > 0 ? direction(place(s, t - spacing), here) : vec2(0.0);
+  vec2 behind = k < segments ? direction(here, place(s, t + spacing)) : vec2(0.0);
   vec2 mitre = before + behind;
   float square = dot(mitre, mitre);
   mitre = square > 1e-12 ? mitre * inversesqrt(square) : vec2(0.0);
@@ -125,5 +153,6 @@ Vertex strip_vertex(Strand s, int k, float side) {
 #else
   v.colour = hair_light(s, t, factors, key_light(p));
 #endif
+  v.drawn = true;
   return v;
 }

@@ -116,6 +116,35 @@ TEST(Experiment, AnyExperimentCanBeReadAsThePaper) {
   EXPECT_EQ(control_case(e, cases[1]).axes.at("fur"), "loose");
 }
 
+// `baseline` names the axes that the control scene sets to their first values: others keep theirs, and axes
+// of numbers can be among them.
+TEST(Experiment, TheBaselineNamesItsAxes) {
+  const std::string rest =
+      "[axes]\nlayers = [4, 8]\nfur = [\"loose\", \"combed\"]\nplace = [\"near\", \"far\"]\n"
+      "[fur.combed]\nfur.comb = 0.4\n[place.far]\nfur.length = 0.3\n[preset.quick]\nleast = 3\n";
+  const auto control = [&](const std::string& baseline) {
+    const Experiment e = read_text("name = \"e\"\n" + baseline + rest);
+    return control_case(e, cases_of(e, preset_of(e, "quick")).back()).axes;
+  };
+  using Axes = std::map<std::string, std::string>;
+  const auto with = [](const char* layers, const char* fur, const char* place) {
+    return Axes{{"layers", layers}, {"fur", fur}, {"place", place}};
+  };
+  const auto expect = [](Axes found, const Axes& wanted) {
+    found.erase("variant");
+    EXPECT_EQ(found, wanted);
+  };
+  expect(control(""), with("8", "loose", "near"));
+  expect(control("baseline = \"fur\"\n"), with("8", "loose", "far"));
+  expect(control("baseline = [\"layers\", \"place\"]\n"), with("4", "combed", "near"));
+  try {
+    control("baseline = [\"coat\"]\n");
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    test::expect_has(error.what(), ":2: baseline: there is no axis coat");
+  }
+}
+
 TEST(Experiment, OverridesAreRecordedAndLeaveThePapersTable) {
   const Experiment e = table1();
   Overrides o;

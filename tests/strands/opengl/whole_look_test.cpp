@@ -83,6 +83,7 @@ TEST(WholeLook, OfEveryControlIsThatOfTheReference) {
             }},
            {"strands that face away last", [](StrandsScene& s) { s.back_facing = "last"; }},
            {"strands that face away drawn", [](StrandsScene& s) { s.back_facing = "drawn"; }},
+           {"near plane", [](StrandsScene& s) { s.layers[1].length = 0.4f; }},
            {"no shadow of the skin", [](StrandsScene& s) { s.skin_shadow = 0; }},
            {"key light alone", [](StrandsScene& s) {
               s.rim = glm::vec3(0);
@@ -94,6 +95,11 @@ TEST(WholeLook, OfEveryControlIsThatOfTheReference) {
     Scene scene = scene_of();
     change(scene.strands);
     if (std::string(name) == "key light alone") scene.shading.lights.resize(1);
+    if (std::string(name) == "near plane") {  // the camera is in the fur
+      scene.camera.framed = false;
+      scene.camera.eye = {0.75f, 0.35f, 0.75f};
+      scene.camera.target = {0, 0, 0};
+    }
     const double psnr = psnr_of_look(scene);
     EXPECT_GE(psnr, tolerance::other_filter_psnr) << name;
     std::printf("%s: %.1f dB\n", name, psnr);
