@@ -94,7 +94,7 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
   const DrawParams p = params();
   constexpr float own_opacity = 0.7f, own_taper = 1.1f, own_gloss = 1.7f;
   const auto bits = [](float value) { return std::bit_cast<std::int32_t>(value); };
-  const std::array<std::int32_t, 2 * FILM_RECORD> film{
+  const std::array<std::int32_t, 2 * std::size_t(FILM_RECORD)> film{
       0x10ff80, 0x20e070, 0x30c060, 0x40a050, 0x508040,          0x606030,        0x704020,        0x802010,
       0,        0,        0,        0,        0xff8080,          0xef7090,        0xdf60a0,        0xcf50b0,
       0xbf40c0, 0xaf30d0, 0x9f20e0, 0x8f10f0, bits(own_opacity), bits(own_taper), bits(own_gloss), 0};
