@@ -23,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view smoke_size = "160x120";
+// The check of a picture needs 64 windows with fur.
+constexpr std::string_view smoke_size = "200x150";
 
 struct ReproduceOptions {
   std::vector<std::string> papers;
@@ -126,7 +127,7 @@ fs::path picture_of(const FigurePanel& panel, const fs::path& stem, const Reprod
   words.insert(words.end(), panel.options.begin(), panel.options.end());
   const bool drawn = panel.diagram.empty() || panel.diagram == "lines" || panel.diagram == "wind";
   if (options.smoke() && drawn)
-    words.insert(words.end(), {"--set", "image.width=160", "--set", "image.height=120"});
+    words.insert(words.end(), {"--set", "image.width=200", "--set", "image.height=150"});
   if (!options.device.empty() && drawn) words.insert(words.end(), {"--device", options.device});
   fs::path part = stem;  // the file gets its name when it is complete
   part += is_table(panel.diagram) ? "-part.svg" : "-part.png";
