@@ -47,6 +47,11 @@ def table(name):
     return [row for row in rows if row.get("status", "ok") == "ok"]
 
 
+def either(*names):
+    """Returns the rows of the first of these CSV files that exists: an experiment may be recorded on the second machine."""
+    return table(next(name for name in names if (ROOT / "results/tables" / name).exists()))
+
+
 def mean(values):
     """Returns the geometric mean."""
     return math.exp(statistics.fmean(map(math.log, values)))
@@ -154,7 +159,8 @@ def opengl():
              ("two tori, curls and clumps, reading `pelage`", tori["pelage", "all"]),
              ("two tori, plain shells, reading `pelage`", tori["pelage", "none"]),
              ("strands", table("strands/demoreuille2011-scaling-ratio.csv")),
-             ("a monster, all of D's pipeline", [row for row in table("xeon/demoreuille2011-full-ratio.csv")
+             ("a monster, all of D's pipeline", [row for row in either("strands/demoreuille2011-full-ratio.csv",
+                                                                   "xeon/demoreuille2011-full-ratio.csv")
                                                   if row["opengl_ratio"] != ""])]
     yield "OpenGL baseline", (
         "Frame time of the OpenGL baseline (llvmpipe on the same processor) / frame time of our kernels "
@@ -307,12 +313,13 @@ def strands():
 
 
 def switches():
-    rows = by(table("xeon/demoreuille2011-switches.csv"), "switch", "distance")
+    recorded = either("strands/demoreuille2011-switches.csv", "xeon/demoreuille2011-switches.csv")
+    rows = by(recorded, "switch", "distance")
     places = list(dict.fromkeys(distance for _, distance in rows))
     kinds = [kind for kind in dict.fromkeys(kind for kind, _ in rows) if kind != "paper"]
     yield "Strands that face away, and segments of strands", (
         "Frame time / frame time with strands that face away sorted to the end and left out there, and 7 segments for each "
-        "strand (experiment demoreuille2011-switches, Intel Xeon); in round brackets the PSNR of the two pictures in dB."), markdown(
+        f"strand (experiment demoreuille2011-switches, {processor(recorded[0])}); in round brackets the PSNR of the two pictures in dB."), markdown(
         ["switch", *places],
         [[kind, *(f"{interval(row, 'frame_over_baseline')} ({row['baseline_psnr']:.0f})" for [row] in
                   (rows[kind, place] for place in places))] for kind in kinds])

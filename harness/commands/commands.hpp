@@ -66,6 +66,9 @@ inline void add_results_option(CLI::App& command, std::vector<std::string>& resu
   add_value(command, "results", results, "RESULTS", "Folders with results, or journal files")->required();
 }
 
+/// Returns whether `pelage diagram KIND` writes a table, which can be drawn as SVG, and not a picture.
+bool draws_table(const std::string& kind);
+
 // The functions that add the commands. `app` must exist as long as the chosen function of add_manual().
 using AddCommand = void(CLI::App& app, Chosen& chosen);
 AddCommand add_devices, add_scene, add_render, add_animate, add_diagram, add_mesh, add_topology, add_water,

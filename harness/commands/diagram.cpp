@@ -164,6 +164,10 @@ int diagram(const DiagramOptions& options) {
 
 }  // namespace
 
+bool draws_table(const std::string& kind) {
+  return std::ranges::any_of(kinds, [&](const Kind& k) { return kind == k.name && k.section; });
+}
+
 void add_diagram(CLI::App& app, Chosen& chosen) {
   auto [command, options] = add_command<DiagramOptions>(
       app, chosen, "diagram", "Draw an inset, a section or an overlay of a scene (docs/experiments.md)",

@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int no_device = 3;  // exit code of a command without a device (commands.hpp)
 // The check of a picture needs 64 windows with fur.
-constexpr std::string_view smoke_size = "200x150";
+constexpr int smoke_width = 200, smoke_height = 150;
 
 struct ReproduceOptions {
   std::vector<std::string> papers;
@@ -41,6 +42,11 @@ struct Step {
   std::size_t cases = 0;
 };
 
+/// The size of the pictures of the preset smoke.
+Axis smoke_axis() {
+  return {"size", {fmt::format("{}x{}", smoke_width, smoke_height)}};
+}
+
 bool is_figure(const Experiment& experiment) {
   return experiment.collection == "figures";
 }
@@ -54,8 +60,8 @@ Step step_of(const std::string& name, const ReproduceOptions& options) {
   Step step{name, has && !figure ? options.preset : "quick", {}, 0};
   Overrides overrides;
   if (figure && options.smoke()) {
-    step.options = {"--axis", fmt::format("size={}", smoke_size)};
-    overrides.axes = {{"size", {std::string(smoke_size)}}};
+    overrides.axes = {smoke_axis()};
+    step.options = {"--axis", "size=" + overrides.axes.front().values.front()};
   }
   step.cases = cases_of(experiment, preset_of(experiment, step.preset), overrides).size();
   return step;
@@ -96,15 +102,10 @@ Case case_of(const FigurePanel& panel, const ReproduceOptions& options) {
   const Step step = step_of(panel.experiment, options);
   const Experiment experiment = read_experiment(experiment_file(panel.experiment));
   Overrides overrides;
-  if (!step.options.empty()) overrides.axes = {{"size", {std::string(smoke_size)}}};
+  if (!step.options.empty()) overrides.axes = {smoke_axis()};
   for (const Case& which : cases_of(experiment, preset_of(experiment, step.preset), overrides))
     if (which.name.starts_with(panel.name + "-") || which.name == panel.name) return which;
   throw InputError(fmt::format("experiments/papers: {} has no case {}", panel.experiment, panel.name));
-}
-
-bool is_table(const std::string& diagram) {
-  static const std::set<std::string> tables{"shape", "clump", "curl", "layers", "path"};
-  return tables.contains(diagram);
 }
 
 /// Returns the picture of the panel, and draws it if it is missing. Returns "" if it cannot be drawn.
@@ -115,7 +116,7 @@ fs::path picture_of(const FigurePanel& panel, const fs::path& stem, const Reprod
     return fs::is_regular_file(image) ? image : fs::path();
   }
   fs::path file = stem;
-  file += is_table(panel.diagram) ? ".svg" : ".png";
+  file += draws_table(panel.diagram) ? ".svg" : ".png";
   if (fs::is_regular_file(file)) return file;
   std::vector<std::string> words;
   if (panel.diagram.empty())
@@ -127,10 +128,11 @@ fs::path picture_of(const FigurePanel& panel, const fs::path& stem, const Reprod
   words.insert(words.end(), panel.options.begin(), panel.options.end());
   const bool drawn = panel.diagram.empty() || panel.diagram == "lines" || panel.diagram == "wind";
   if (options.smoke() && drawn)
-    words.insert(words.end(), {"--set", "image.width=200", "--set", "image.height=150"});
+    words.insert(words.end(), {"--set", fmt::format("image.width={}", smoke_width), "--set",
+                               fmt::format("image.height={}", smoke_height)});
   if (!options.device.empty() && drawn) words.insert(words.end(), {"--device", options.device});
   fs::path part = stem;  // the file gets its name when it is complete
-  part += is_table(panel.diagram) ? "-part.svg" : "-part.png";
+  part += draws_table(panel.diagram) ? "-part.svg" : "-part.png";
   words.insert(words.end(), {"-o", part.string()});
   if (run_self(words) != 0) return {};
   fs::rename(part, file);
@@ -155,11 +157,20 @@ std::vector<std::vector<fs::path>> figures_of(const PaperPlan& plan, const Repro
   return all;
 }
 
-std::string footnote_of(const std::string& name) {
-  static const std::vector<Model> known = models();
-  for (const Model& model : known)
-    if (model.name == name) return model.footnote;
-  return {};
+/// Names the panels whose pictures did not pass their checks.
+void note_failed_checks(const std::vector<PaperPlan>& plans, const ReproduceOptions& options,
+                        const std::vector<FoundRow>& rows, std::vector<std::string>& notes) {
+  for (const PaperPlan& plan : plans)
+    for (const PaperFigure& figure : plan.figures)
+      for (const FigurePanel& panel : figure.panels) {
+        if (panel.experiment.empty() || !panel.diagram.empty()) continue;
+        const std::string name = case_of(panel, options).name;
+        for (const FoundRow& found : rows)
+          if (found.row.experiment == panel.experiment && found.row.case_name == name &&
+              found.row.status != Status::ok)
+            notes.push_back(fmt::format("{}, {}: the picture \"{}\" failed: {}", plan.title, figure.title,
+                                        panel.label, found.row.reason));
+      }
 }
 
 int reproduce(const ReproduceOptions& options) {
@@ -192,7 +203,7 @@ int reproduce(const ReproduceOptions& options) {
     fmt::print(stderr, "pelage: experiment {} of {}: {}, {} cases\n", i + 1, steps.size(),
                steps[i].experiment, steps[i].cases);
     const int code = run_step(steps[i], options, folder);
-    if (code == 130 || code == 143) return code;
+    if (code == no_device || code == 130 || code == 143) return code;  // all other steps would end likewise
     if (code != 0)
       notes.push_back(code == 1
                           ? fmt::format("{}: some cases have no time", steps[i].experiment)
@@ -201,6 +212,7 @@ int reproduce(const ReproduceOptions& options) {
   PapersPage page;
   for (const PaperPlan& plan : plans) page.papers.push_back({plan, figures_of(plan, options, folder, notes)});
   Results results = read_all_results({folder.string()});
+  note_failed_checks(plans, options, results.rows, notes);
   const std::vector<Report> reports =
       write_reports(results.rows, folder / "page", footnote_of, results.left_out);
   page.claims = claims::judge(claims, input_sets(results.rows).front().rows);
@@ -221,13 +233,8 @@ void add_reproduce(CLI::App& app, Chosen& chosen) {
       app, chosen, "reproduce",
       "Run what the tables, figures and claims of papers need, and write one page with all of them",
       reproduce);
-  std::string known;
-  try {
-    for (const PaperPlan& plan : paper_plans()) known += (known.empty() ? "" : ", ") + plan.name;
-  } catch (const InputError&) {
-    known = "see experiments/papers";
-  }
-  add_value(command, "papers", options.papers, "PAPER", "Papers (default: all): " + known);
+  add_value(command, "papers", options.papers, "PAPER",
+            "Papers, such as silva2010; a wrong name lists them (default: all)");
   add_value(
       command, "--preset", options.preset, "smoke|quick|paper",
       "smoke: small pictures and few frames, no claims; quick: claims are judged; paper: for published numbers")

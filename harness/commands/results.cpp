@@ -154,13 +154,8 @@ int report(const ReportOptions& options) {
   for (LeftOut& one : missing_cases(journals_of(options.results), results.rows))
     results.left_out.push_back(std::move(one));
   for (const std::string& view : options.views) use_view(results.rows, view);
-  const std::vector<Model> known = models();
-  const auto footnote = [&known](const std::string& name) {
-    for (const Model& model : known)
-      if (model.name == name) return model.footnote;
-    return std::string{};
-  };
-  const std::vector<Report> reports = write_reports(results.rows, options.output, footnote, results.left_out);
+  const std::vector<Report> reports =
+      write_reports(results.rows, options.output, footnote_of, results.left_out);
   for (const Report& written : reports) print_report(written);
   const std::filesystem::path page = std::filesystem::path(options.output) / "index.html";
   for (const std::string& note : write_page(reports, page)) fmt::print(stderr, "pelage: {}\n", note);

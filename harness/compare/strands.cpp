@@ -99,26 +99,14 @@ std::vector<Check> check_chain_step(const StrandInput& input, const ChainStep& s
           {against_reference, "chain_rate_p99.9", p999(rate), tolerance::chain_rate, false}};
 }
 
-namespace {
-
-/// The error of the tip that rounding causes where u is nearly parallel to n, and the axis n x u of the
-/// curvature therefore ill-conditioned: u has an error of about eight roundings.
-double error_of_axis(const DrawnStrand& exact, const strands::KeyedStrand& strand) {
-  if (strand.curvature == 0) return 0;
-  const glm::dvec3 root(exact.point[0]), joint(exact.point[1]), tip(exact.point[2]);
-  const double sine = glm::length(glm::cross(glm::dvec3(exact.normal), glm::normalize(joint - root)));
-  return glm::distance(joint, tip) * std::min(2.0, 0x1p-21 / std::max(sine, 1e-9));
-}
-
-}  // namespace
-
 StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& frame, std::uint32_t seed) {
   StrandCheck result;
   double worst = 0;
   for (const std::size_t i : sample(frame.curves.size(), curves_compared, seed)) {
     const strands::KeyedStrand& strand = input.fur.strands[i];
-    const DrawnStrand exact = naive::between(frame.keys, strand, input.dynamics.first_segment);
-    worst = std::max(worst, worst_point(frame.curves[i], exact) - error_of_axis(exact, strand));
+    double magnified = 1;
+    const DrawnStrand exact = naive::between(frame.keys, strand, input.dynamics.first_segment, &magnified);
+    worst = std::max(worst, worst_point(frame.curves[i], exact) / std::max(1.0, magnified / 8));
   }
   const double limit =
       strands::has_styles(input.fur.strands) ? tolerance::styled_strand_point : tolerance::strand_point;

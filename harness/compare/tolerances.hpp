@@ -124,8 +124,8 @@ inline constexpr double chain_frequency = 0.02;
 
 /// Limits for the distance between a control point of a drawn strand on the device and in the reference, in
 /// R. `strand_point` allows for rounding. `styled_strand_point` applies to strands with twist or curvature,
-/// whose angles have 16 bits on the device. The error of an ill-conditioned axis of the curvature is
-/// subtracted before (harness/compare/strands.cpp).
+/// whose angles have 16 bits on the device. Where the raising of a tip onto the skin magnifies the errors of
+/// these angles by a factor f above 8 (reference::between()), the distance is divided by f/8.
 inline constexpr double strand_point = 2e-6, styled_strand_point = 3e-5;
 
 }  // namespace pelage::tolerance

@@ -68,4 +68,10 @@ std::vector<Model> models() {
       "experiments/models.toml was not found: set PELAGE_DATA to the folder that holds experiments/");
 }
 
+std::string footnote_of(const std::string& name) {
+  static const std::vector<Model> known = models();
+  const auto found = std::ranges::find(known, name, &Model::name);
+  return found == known.end() ? std::string{} : found->footnote;
+}
+
 }  // namespace pelage

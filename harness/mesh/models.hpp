@@ -29,5 +29,7 @@ struct Model {
 std::vector<Model> read_models(const std::filesystem::path& file);
 /// Reads the file experiments/models.toml. Takes it from the first folder of data_folders() that contains it.
 std::vector<Model> models();
+/// Returns the footnote of the model in tables; "" if models() has no such model.
+std::string footnote_of(const std::string& model);
 
 }  // namespace pelage

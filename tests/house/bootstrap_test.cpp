@@ -107,6 +107,12 @@ TEST_F(Bootstrap, LeavesTheUsersOwnChoicesAlone) {
   expect_lacks(anonymous.calls, host.data());
 }
 
+TEST_F(Bootstrap, RerunsThePapers) {
+  const Outcome outcome = run("papers wetfur2010 --preset smoke -o mine");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+  expect_has(outcome.calls, "pelage reproduce wetfur2010 --preset smoke -o mine\n");
+}
+
 TEST_F(Bootstrap, PassesOnHowTheRunEnded) {
   for (const int code : {1, 2, 3, 130}) {
     write_program(binary, log_of("pelage") + fmt::format("\ncase $1 in run) exit {};; esac", code));

@@ -135,7 +135,7 @@ class Drawer {
 
   /// True if set_view() accepts the scene. It does not if the size of the picture or the film strip differs
   /// from the present scene's, or if the look has other kinds of light, for which the programs would have to
-  /// be built again.
+  /// be built again. Throws InputError if a value of the look is not valid.
   bool can_show(const DrawingScene& scene) const;
 
   /// Changes the camera, the look or the fraction of the following pictures, and builds nothing. Throws

@@ -19,7 +19,11 @@ namespace pelage::strands::reference {
 /// Returns the curve of a strand between three of the key strands `keys`. `first_segment` is the length of
 /// the first segment in lengths of the strand, above 0 and below 1. The strand's rank is the number of its
 /// fur layer; the caller knows the look, and replaces the rank if the look orders the layers differently.
-DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment);
+/// Stores in `magnified`, unless it is null, how much the curvature and the raising of the tip onto the skin
+/// magnify an error of the direction w: the first if the strand is nearly upright, the second if w is nearly
+/// orthogonal to the skin.
+DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment,
+                    double* magnified = nullptr);
 
 /// Returns half of the width of a strand at the parameter t of its curve, R.
 double half_width(const Look& look, const DrawnStrand& strand, double t);

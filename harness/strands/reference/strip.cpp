@@ -81,7 +81,8 @@ Vec rotated(Vec v, Vec axis, float degrees) {
 
 }  // namespace
 
-DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment) {
+DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment,
+                    double* magnified) {
   const double s = strand.weight.x, t = strand.weight.y;
   const auto mean = [&](glm::vec3 KeyStrand::*vector) {
     return (1 - s - t) * Vec(keys[strand.key[0]].*vector) + s * Vec(keys[strand.key[1]].*vector) +
@@ -93,14 +94,19 @@ DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& stran
   Vec u = moved(glm::normalize(mean(&KeyStrand::first))), w = moved(glm::normalize(mean(&KeyStrand::second)));
   u = rotated(u, n, strand.twist);
   w = rotated(w, n, strand.twist);
-  if (const Vec axis = glm::cross(n, u); glm::length(axis) > 1e-9)
+  double factor = 1;
+  if (const Vec axis = glm::cross(n, u); glm::length(axis) > 1e-9) {
     w = rotated(w, glm::normalize(axis), strand.curvature);
+    factor += std::abs(std::sin(double(strand.curvature) * std::numbers::pi / 180)) / glm::length(axis);
+  }
   const double l1 = first_segment, l2 = 1 - l1;
   if (glm::dot(n, u) < 0) u = along_plane(u, n);
   if (l1 * glm::dot(n, u) + l2 * glm::dot(n, w) < 0) {
     const double sine = -l1 / l2 * glm::dot(n, u);
+    factor /= glm::length(w - glm::dot(w, n) * n);
     w = sine * n + std::cos(std::asin(sine)) * along_plane(w, n);
   }
+  if (magnified) *magnified = factor;
   DrawnStrand drawn;
   const Vec joint = root + l1 * double(strand.length) * u;
   drawn.point = {glm::vec3(root), glm::vec3(joint), glm::vec3(joint + l2 * double(strand.length) * w)};

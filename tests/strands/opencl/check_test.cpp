@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "harness/compare/strands.hpp"
+#include "harness/compare/tolerances.hpp"
 #include "harness/strands/opencl/program_texts.hpp"
 #include "harness/strands/opencl/strands.hpp"
+#include "harness/strands/reference/drawing.hpp"
 #include "tests/strands/support/strands.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/synthetic.hpp"
@@ -43,6 +45,46 @@ TEST(StepCheck, HoldsForStrandsThatTouchTheBody) {
   EXPECT_GT(touching, std::ptrdiff_t(step.before.size() / 100));
   for (const Check& check : check_chain_step(*input, step, 1))
     EXPECT_TRUE(check.holds()) << check.metric << " is " << check.value << ", the limit is " << check.limit;
+}
+
+// The curvature folds many strands down onto the skin, some almost along the normal. Raising their tips
+// magnifies the errors of their 16-bit angles far beyond the limit of the check.
+TEST(FrameCheck, HoldsForTipsThatTheSkinRaises) {
+  Scene scene;
+  scene.image.width = 96;
+  scene.image.height = 64;
+  StrandLayerScene& layer = scene.strands.layers.front();
+  layer.count = 20000;
+  layer.lean = 50;
+  layer.curvature = 130;
+  layer.curvature_spread = 5;
+  const auto mesh = std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 40, 24));
+  const auto input = prepare_strands(scene, mesh);
+  Strands strands(test::queue().device(), input);
+  strands.frame();
+  StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
+  frame.curves = strands.curves();
+  frame.skin = strands.surface();
+  std::size_t magnified = 0, ordinary = 0;
+  double worst = 0;
+  for (std::size_t i = 0; i < frame.curves.size(); ++i) {
+    double factor = 1;
+    const DrawnStrand exact =
+        reference::between(frame.keys, input->fur.strands[i], input->dynamics.first_segment, &factor);
+    magnified += factor > 8;
+    if (factor < 4) ordinary = i;
+    worst = std::max(worst, double(glm::distance(frame.curves[i].point[2], exact.point[2])));
+  }
+  EXPECT_GT(magnified, 100u);
+  EXPECT_GT(worst, tolerance::styled_strand_point);
+  const auto point_holds = [&] {
+    for (const Check& check : check_strand_frame(*input, frame, 1).checks)
+      if (check.metric == "strand_point") return check.holds();
+    return false;
+  };
+  EXPECT_TRUE(point_holds());
+  frame.curves[ordinary].point[2].x += 2 * float(tolerance::styled_strand_point);
+  EXPECT_FALSE(point_holds()) << "a wrong tip of an ordinary strand";
 }
 
 TEST(ReferencePicture, HasTheOrderOfTheLayers) {
@@ -99,6 +141,10 @@ TEST(ExpectedPrograms, AreThoseOfThePipeline) {
   scene.strands.layers.front().twist_spread = 20;
   scene.dynamics.motion.spin = 1;
   expect_exact(scene, "styled strands on an object that rotates");
+  scene.strands.layers.front().gloss = 2;
+  expect_exact(scene, "a layer with a look of its own");
+  scene.strands.layers.front().damping = 2;
+  expect_exact(scene, "a layer with a damping of its own");
   scene.image = {1680, 1050};
   scene.strands.chain.collision = "body";
   scene.dynamics.motion = {};
