@@ -52,6 +52,10 @@ def either(*names):
     return table(next(name for name in names if (ROOT / "results/tables" / name).exists()))
 
 
+def decibels(psnr, digits):
+    return "equal" if math.isinf(psnr) else f"{psnr:.{digits}f}"
+
+
 def mean(values):
     """Returns the geometric mean."""
     return math.exp(statistics.fmean(map(math.log, values)))
@@ -279,7 +283,7 @@ def effects():
         "Frame time with another reading of the papers / frame time with the default, and the two pictures "
         "compared (experiment readings)."), markdown(
         ["reading", "time", "PSNR (dB)", "SSIM"],
-        [[reading(row["switch"]), interval(row, "frame_over_baseline"), f"{row['baseline_psnr']:.1f}", f"{row['baseline_ssim']:.3f}"]
+        [[reading(row["switch"]), interval(row, "frame_over_baseline"), decibels(row["baseline_psnr"], 1), f"{row['baseline_ssim']:.3f}"]
          for row in table("effects/readings.csv") if row["with"] == "default" and row["switch"] != "default"])
 
 
@@ -300,12 +304,14 @@ def scaling():
 
 
 def strands():
+    coats = either("strands/shells-vs-strands.csv", "xeon/shells-vs-strands.csv")
     yield "One coat as layers and as strands", (
-        "Experiment shells-vs-strands; the rays are a ray-cast picture of the strands."), markdown(
+        f"Experiment shells-vs-strands, {processor(coats[0])}; the rays are a ray-cast picture of the strands. strands-shaded "
+        "has D's fill and rim lights, shadow and film, and so have its rays; the others have the key light alone."), markdown(
         ["variant", "distance", "frame (ms)", "overdraw", "PSNR to rays (dB)", "simulation (ns a segment)"],
         [[row["variant"], row["distance"], *(f"{row[key]:.1f}" for key in (
             "median_ms", "overdraw", "raycast_coarse_psnr", "simulate_ns_per_segment"))]
-         for row in table("strands/shells-vs-strands.csv")])
+         for row in coats])
     yield "Ways to draw strands with OpenGL", (
         "Frame time of the baseline in ms (experiment strands-opengl-ways)."), markdown(
         ["way", "strands", "size", "time"], [[row["variant"], f"{row['count']:.0f}", row["size"], three(row['opengl_ms'])]
@@ -321,7 +327,7 @@ def switches():
         "Frame time / frame time with strands that face away sorted to the end and left out there, and 7 segments for each "
         f"strand (experiment demoreuille2011-switches, {processor(recorded[0])}); in round brackets the PSNR of the two pictures in dB."), markdown(
         ["switch", *places],
-        [[kind, *(f"{interval(row, 'frame_over_baseline')} ({row['baseline_psnr']:.0f})" for [row] in
+        [[kind, *(f"{interval(row, 'frame_over_baseline')} ({decibels(row['baseline_psnr'], 0)})" for [row] in
                   (rows[kind, place] for place in places))] for kind in kinds])
 
 

@@ -21,7 +21,7 @@ enum class Quantity {
 /// The number that is computed from the quantities of cases and compared with the limits of the claim.
 enum class Effect {
   level,           ///< the quantity of a case
-  ratio,           ///< quantity at the axis value `of`, divided by the quantity at `to`
+  ratio,           ///< quantity of the case `of`, divided by the quantity of the case `to`
   ratio_by_phase,  ///< 1 + (phase time of `of` - phase time of `to`) / frame time of `to`
   elasticity,      ///< slope of the logarithm of the quantity against the logarithm of the axis value
   linearity,       ///< slope of the quantity above the middle axis value / slope below this value
@@ -45,6 +45,9 @@ struct Region {
   bool contains(double from, double to) const;  ///< whether all values from `from` to `to` are inside
   bool outside(double from, double to) const;   ///< whether all values from `from` to `to` are outside
 };
+
+/// Axis -> value. A case is selected if it has all of these values.
+using Selection = std::map<std::string, std::string>;
 
 struct Claim {
   bool ours() const { return paper.empty(); }  ///< true: not a statement of a paper
@@ -72,7 +75,9 @@ struct Claim {
   /// of these variants as phases, and each phase is a separate case.
   std::map<std::string, std::string> phases;
   Effect effect = Effect::level;
-  std::string axis, of, to;
+  std::string axis;  ///< the axis of slopes and phases; "" for ratios if `of` names several axes
+  /// For ratios: the two cases of a pair. They have equal values of all axes that neither selection names.
+  Selection of, to;
   std::string along;   ///< metric against which slopes are computed instead of the axis; may be empty
   std::string across;  ///< for ratio_trend: the axis against which the slope of the ratio is computed
   double threshold = 0;
@@ -94,6 +99,9 @@ struct ClaimFile {
   int separate_processes = 3;
   std::vector<Claim> claims;  ///< in the order of the file
 };
+
+/// Returns the selection as text: "layers = 64, size = 800x600".
+std::string text_of(const Selection& selection);
 
 /// Returns a description of the effect, for instance "frame rate with layers = 64, divided by the value with
 /// layers = 16; each case".

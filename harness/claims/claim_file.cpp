@@ -50,18 +50,36 @@ void read_quantity(TomlTable& table, Claim& claim) {
   if (whole_frame && !claim.axis.empty()) claim.phases = table.values("phases");
 }
 
+/// Reads `of` or `to`: a value of the claim's axis, or without an axis a table with the values of several
+/// axes.
+Selection read_selection(TomlTable& table, const char* key, const Claim& claim) {
+  const bool one_axis = !claim.axis.empty();
+  const toml::node* node = table.get(key);
+  if (!node || node->is_table() == one_axis)
+    table.refuse(
+        key, one_axis ? fmt::format("{} = ... must be a value of the axis {}", key, claim.axis)
+                      : fmt::format("{0} = ... must be a table {{ AXIS = VALUE, ... }}; for a single value, "
+                                    "name its axis: axis = \"AXIS\"",
+                                    key));
+  if (one_axis) return {{claim.axis, table.axis_value(key)}};
+  Selection selection;
+  for (const auto& [axis, values] : table.lists(key)) {
+    if (values.size() != 1) table.refuse(key, fmt::format("{}: give one value of the axis {}", key, axis));
+    selection[axis] = values.front();
+  }
+  if (selection.empty()) table.refuse(key, fmt::format("{} names no axis", key));
+  return selection;
+}
+
 void read_effect(TomlTable table, Claim& claim) {
   claim.effect = Effect(table.choice("name", effects, 0));
   const bool pairs = claim.effect == Effect::ratio || claim.effect == Effect::ratio_by_phase ||
                      claim.effect == Effect::ratio_trend;
   const bool slopes = claim.effect == Effect::elasticity || claim.effect == Effect::linearity;
-  if (pairs || slopes) claim.axis = table.required_text("axis");
+  claim.axis = slopes ? table.required_text("axis") : pairs ? table.text("axis") : "";
   if (pairs) {
-    claim.of = table.axis_value("of");
-    claim.to = table.axis_value("to");
-    if (claim.of.empty() || claim.to.empty())
-      table.refuse(
-          "of", fmt::format("the effect needs of = ... and to = ..., two values of the axis {}", claim.axis));
+    claim.of = read_selection(table, "of", claim);
+    claim.to = read_selection(table, "to", claim);
   }
   if (claim.effect == Effect::ratio_trend) claim.across = table.required_text("across");
   if (slopes || claim.effect == Effect::ratio_trend) {
@@ -232,8 +250,8 @@ std::string quantity_of(const Claim& claim) {
 }
 
 std::string ratio_of(const Claim& claim, const std::string& quantity) {
-  return fmt::format("{} with {} = {}, divided by the value with {} = {}", quantity, claim.axis, claim.of,
-                     claim.axis, claim.to);
+  return fmt::format("{} with {}, divided by the value with {}", quantity, text_of(claim.of),
+                     text_of(claim.to));
 }
 
 std::string effect_words(const Claim& claim) {
@@ -277,6 +295,13 @@ bool Region::contains(double from, double to) const {
 
 bool Region::outside(double from, double to) const {
   return (low && (strict ? to <= *low : to < *low)) || (high && (strict ? from >= *high : from > *high));
+}
+
+std::string text_of(const Selection& selection) {
+  std::string text;
+  for (const auto& [axis, value] : selection)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", axis, value);
+  return text;
 }
 
 std::string description_of(const Claim& claim) {

@@ -54,17 +54,21 @@ std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std:
   return groups;
 }
 
-/// Returns the two cells of the group whose values of the claim's axis are `of` and `to`. If one of them is
-/// missing or several cells have it, returns nothing and adds the reason to `left_out`; no reason if both are
+bool selects(const Selection& selection, const Cell& cell) {
+  return std::ranges::all_of(selection,
+                             [&](const auto& one) { return value_at(cell.axes, one.first) == one.second; });
+}
+
+/// Returns the two cells of the group that Claim::of and Claim::to select. If one of them is missing or
+/// several cells are selected, returns nothing and adds the reason to `left_out`; no reason if both are
 /// missing.
 std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, const std::vector<Cell>& cells,
                                                            const Group& group,
                                                            std::vector<std::string>& left_out) {
   Group of, to;
   for (const std::size_t i : group) {
-    const std::string value = value_at(cells[i].axes, claim.axis);
-    if (value == claim.of) of.push_back(i);
-    if (value == claim.to) to.push_back(i);
+    if (selects(claim.of, cells[i])) of.push_back(i);
+    if (selects(claim.to, cells[i])) to.push_back(i);
   }
   if (of.size() == 1 && to.size() == 1) return std::pair(of.front(), to.front());
   if (std::max(of.size(), to.size()) > 1)
@@ -72,9 +76,9 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
         fmt::format("{} (several cases differ only in their names, so the claim cannot select one)",
                     cells[group.front()].name));
   else if (of.size() != to.size())
-    left_out.push_back(fmt::format("{} (there is no matching case with {} {})",
-                                   cells[of.empty() ? to.front() : of.front()].name, claim.axis,
-                                   of.empty() ? claim.of : claim.to));
+    left_out.push_back(fmt::format("{} (there is no matching case with {})",
+                                   cells[of.empty() ? to.front() : of.front()].name,
+                                   text_of(of.empty() ? claim.of : claim.to)));
   return {};
 }
 
@@ -145,7 +149,9 @@ std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
     std::iota(all.cells.begin(), all.cells.end(), std::size_t(0));
     return {all};
   }
-  const std::set<std::string> used{claim.axis, claim.across};
+  std::set<std::string> used{claim.axis, claim.across};
+  for (const Selection* selection : {&claim.of, &claim.to})
+    for (const auto& [axis, value] : *selection) used.insert(axis);
   const std::vector<std::string> telling = telling_axes(cells, used);
   for (const Group& group : groups_of(cells, used)) {
     Part part;

@@ -27,15 +27,6 @@ std::string interval_text(double value, const Interval& interval) {
                      number_text(interval.high));
 }
 
-/// Returns the paper and the section, for instance "silva2010-wet-fur, section 5, Table 1".
-std::string source_of(const Claim& claim) {
-  const bool number = claim.section.find_first_of("0123456789") == 0;
-  const std::string section = number ? "section " + claim.section : claim.section;
-  std::string text = claim.paper + (claim.paper.empty() || section.empty() ? "" : ", ") + section;
-  if (!claim.reading.empty()) text += fmt::format("{}reading {}", text.empty() ? "" : ", ", claim.reading);
-  return text.empty() ? "ours" : text;
-}
-
 /// Returns the claims of the papers, and those that are ours.
 std::array<std::vector<Judged>, 2> by_origin(const std::vector<Judged>& judged) {
   std::array<std::vector<Judged>, 2> parts;
@@ -120,6 +111,14 @@ std::string details_of(const Judged& one) {
 }
 
 }  // namespace
+
+std::string source_of(const Claim& claim) {
+  const bool number = claim.section.find_first_of("0123456789") == 0;
+  const std::string section = number ? "section " + claim.section : claim.section;
+  std::string text = claim.paper + (claim.paper.empty() || section.empty() ? "" : ", ") + section;
+  if (!claim.reading.empty()) text += fmt::format("{}reading {}", text.empty() ? "" : ", ", claim.reading);
+  return text.empty() ? "ours" : text;
+}
 
 std::string effect_text(const Judged& judged) {
   if (!judged.value) return {};

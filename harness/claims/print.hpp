@@ -21,6 +21,10 @@ std::string markdown_of(const std::vector<Judged>& judged);
 /// Returns a list of claims with the fields of table_of(), as JSON numbers, and null for absent values.
 nlohmann::ordered_json json_of(const std::vector<Judged>& judged);
 
+/// Returns the paper, the section and the reading, for instance "silva2010-wet-fur, section 5, reading
+/// paper".
+std::string source_of(const Claim& claim);
+
 /// Returns the effect and its interval as text, for instance "0.309 [0.298, 0.321]"; "" without an effect.
 std::string effect_text(const Judged& judged);
 

@@ -2,24 +2,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "harness/atomic_file.hpp"
 #include "harness/commands/commands.hpp"
 #include "harness/error.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/record/device_settings.hpp"
 #include "harness/report/comparison.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
 
 struct CompareOptions {
   std::string a, b, by, phase = "frame", threshold = "5%", alpha = "5%";
+  std::string latex, plot;
   bool fail_on_regression = false, json = false;
 };
-
-std::string milliseconds(double value) {
-  return value > 0 ? fmt::format("{:.3f}", value) : "-";
-}
 
 std::string percent(double fraction) {
   return fmt::format("{:+.1f}%", 100 * fraction);
@@ -47,22 +48,26 @@ nlohmann::ordered_json pair_json(const Pair& p) {
           {"reason", p.reason}};
 }
 
-void print_pairs(const std::vector<Pair>& pairs, const CompareOptions& options) {
+void print_pairs(const std::vector<Pair>& pairs, const Table& table, const CompareOptions& options) {
   if (options.json) {
     auto list = nlohmann::ordered_json::array();
     for (const Pair& p : pairs) list.push_back(pair_json(p));
     fmt::print("{}\n", list.dump(2));
     return;
   }
-  fmt::print("{:>10} {:>10} {:>8}  {:<18} {:9} case\n", "A, ms", "B, ms", "change", "interval", "verdict");
-  for (const Pair& p : pairs) {
-    const bool both = p.a_ms > 0 && p.b_ms > 0;
-    fmt::print("{:>10} {:>10} {:>8}  {:<18} {:9} {}{}{}{}\n", milliseconds(p.a_ms), milliseconds(p.b_ms),
-               both ? percent(p.change) : "-",
-               both ? fmt::format("[{}, {}]", percent(p.interval.low), percent(p.interval.high)) : "",
-               to_text(p.verdict), p.name, options.by.empty() ? "" : fmt::format("  ({} -> {})", p.a, p.b),
-               p.contended ? "  (contended)" : "", p.reason.empty() ? "" : fmt::format("  ({})", p.reason));
-  }
+  fmt::print("{}", text_of(table));
+  for (const Pair& p : pairs)
+    if (!p.reason.empty()) fmt::print("{}: {}\n", p.name, p.reason);
+}
+
+/// Writes the table as CSV and its plot as SVG and PDF beside `output`, which ends in .svg or .pdf.
+void draw(const Table& table, const std::filesystem::path& output) {
+  const std::filesystem::path stem = std::filesystem::path(output).replace_extension();
+  const auto with = [&](const char* ending) { return std::filesystem::path(stem) += ending; };
+  write_text_atomically(with(".csv"), csv_of(table));
+  write_text_atomically(with(".json"), json_of(comparison_plot(table)));
+  const std::string problem = draw_plot(plot_program("plot"), with(".csv"), stem);
+  if (!problem.empty()) throw InputError(fmt::format("{}: {}", output.string(), problem));
 }
 
 /// Prints notes below the table:
@@ -116,13 +121,17 @@ void print_notes(const std::vector<Pair>& pairs) {
 }
 
 std::vector<Cell> timed_cells(const std::string& folder, const std::string& phase) {
-  const std::vector<FoundRow> rows = read_results({folder});
+  std::vector<FoundRow> rows = read_results({folder});
+  add_settings_as_axes(rows);
   std::vector<Cell> cells = cells_of(rows);
   if (phase != "frame") use_phase(cells, rows, phase);
   return cells;
 }
 
 int compare(const CompareOptions& options) {
+  const std::string ending = std::filesystem::path(options.plot).extension().string();
+  if (!options.plot.empty() && ending != ".svg" && ending != ".pdf")
+    throw InputError(fmt::format("--plot {}: the name must end in .svg or .pdf", options.plot));
   const CompareBy by(options.by);
   const CompareLimits limits{fraction_from_text("--threshold", options.threshold),
                              fraction_from_text("--alpha", options.alpha)};
@@ -136,7 +145,10 @@ int compare(const CompareOptions& options) {
   const std::vector<Cell> a = timed_cells(options.a, options.phase);
   const std::vector<Cell> b = one_set ? std::vector<Cell>() : timed_cells(options.b, options.phase);
   const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, limits);
-  print_pairs(pairs, options);
+  const Table table = comparison_table(pairs, by);
+  print_pairs(pairs, table, options);
+  if (!options.latex.empty()) write_text_atomically(options.latex, latex_of(table));
+  if (!options.plot.empty()) draw(table, options.plot);
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
   };
@@ -168,6 +180,9 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   command.add_flag("--fail-on-regression", options.fail_on_regression,
                    "Exit with code 5 if a case is slower in B or has no time in B");
   command.add_flag("--json", options.json, "Print JSON");
+  add_value(command, "--latex", options.latex, "FILE.tex", "Also write the table as LaTeX");
+  add_value(command, "--plot", options.plot, "FILE.svg|FILE.pdf",
+            "Also draw the changes; writes FILE.svg, FILE.pdf and the table FILE.csv");
 }
 
 }  // namespace pelage

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "harness/claims/judge.hpp"
 #include "harness/commands/commands.hpp"
+#include "harness/commands/lengths.hpp"
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
@@ -173,21 +176,88 @@ void note_failed_checks(const std::vector<PaperPlan>& plans, const ReproduceOpti
       }
 }
 
+/// Adds a row with the status `skipped` for each case of the plans' tables that the preset quick would
+/// measure and no row has, so that the tables show the paper's number beside it.
+void add_unmeasured(const std::vector<PaperPlan>& plans, std::vector<FoundRow>& rows) {
+  for (const PaperPlan& plan : plans)
+    for (const PaperTable& table : plan.tables) {
+      const auto of_table = [&](const FoundRow& found) { return found.row.experiment == table.experiment; };
+      const auto any = std::ranges::find_if(rows, of_table);
+      if (any == rows.end()) continue;
+      const FoundRow model = *any;
+      const Experiment experiment = read_experiment(experiment_file(table.experiment));
+      for (const Case& which : cases_of(experiment, preset_of(experiment, "quick"))) {
+        if (std::ranges::any_of(rows, [&](const FoundRow& found) {
+              return of_table(found) && found.row.case_name == which.name;
+            }))
+          continue;
+        FoundRow added{{}, model.journal};
+        Row& row = added.row;
+        row.experiment = table.experiment;
+        row.case_name = which.name;
+        row.variant = which.variant == default_variant ? model.row.variant : which.variant;
+        row.axes = which.axes;
+        row.device = model.row.device;
+        row.provenance = model.row.provenance;
+        row.status = Status::skipped;
+        row.reason = "not measured with the preset smoke";
+        if (which.published) row.metrics["paper_fps"] = *which.published;
+        rows.push_back(std::move(added));
+      }
+    }
+}
+
+double seconds_since(std::chrono::steady_clock::time_point from) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+}
+
+/// Returns the estimated time in which all figures are drawn, s.
+double figures_length(const Lengths& lengths, const ReproduceOptions& options,
+                      const std::vector<PaperPlan>& plans, double speed) {
+  double seconds = 0;
+  for (const PaperPlan& plan : plans)
+    seconds += lengths.of(options.preset, plan.name + " figures", plan.figures.size(), speed);
+  return seconds;
+}
+
+/// Returns the share of the step's cases that have no row in `folder` yet, 0 to 1.
+double share_left(const Step& step, const fs::path& folder) {
+  const fs::path place = folder / step.experiment;
+  if (!fs::is_directory(place) || step.cases == 0) return 1;
+  std::size_t rows = 0;
+  for (const auto& entry : fs::directory_iterator(place))
+    if (entry.path().extension() == ".jsonl") {
+      std::ifstream journal(entry.path());
+      for (std::string line; std::getline(journal, line);) ++rows;
+    }
+  return 1 - double(std::min(rows, step.cases)) / double(step.cases);
+}
+
+int print_steps(const ReproduceOptions& options, const std::vector<PaperPlan>& plans,
+                const std::vector<Step>& steps) {
+  const Lengths lengths(shipped_lengths());
+  const double speed = machine_speed();
+  double seconds = figures_length(lengths, options, plans, speed);
+  std::size_t cases = 0, figures = 0;
+  for (const PaperPlan& plan : plans) figures += plan.figures.size();
+  for (const Step& step : steps) {
+    const double own = lengths.of(options.preset, step.experiment, step.cases, speed);
+    fmt::print("{}\t{}\t{}\t{}\n", step.experiment, step.preset, step.cases, length_text(own));
+    cases += step.cases;
+    seconds += own;
+  }
+  fmt::print(stderr, "pelage: {} experiments with {} cases, {} figures: about {}; nothing was run\n",
+             steps.size(), cases, figures, length_text(seconds));
+  return 0;
+}
+
 int reproduce(const ReproduceOptions& options) {
   std::vector<PaperPlan> plans;
   for (const std::string& name : options.papers) plans.push_back(paper_plan(name));
   if (plans.empty()) plans = paper_plans();
   const claims::ClaimFile claims = claims::read_claims(claims::shipped_claims());
   const std::vector<Step> steps = steps_of(plans, claims, options);
-  std::size_t cases = 0, figures = 0;
-  for (const Step& step : steps) cases += step.cases;
-  for (const PaperPlan& plan : plans) figures += plan.figures.size();
-  if (options.dry_run) {
-    for (const Step& step : steps) fmt::print("{}\t{}\t{}\n", step.experiment, step.preset, step.cases);
-    fmt::print(stderr, "pelage: {} experiments with {} cases, {} figures; nothing was run\n", steps.size(),
-               cases, figures);
-    return 0;
-  }
+  if (options.dry_run) return print_steps(options, plans, steps);
   RunOptions where;
   where.output = options.output;
   where.resume = options.resume;
@@ -199,23 +269,41 @@ int reproduce(const ReproduceOptions& options) {
       folder.string(),
       "what is finished is kept; continue with: pelage reproduce ... --resume " + folder.string());
   std::vector<std::string> notes;
+  Lengths lengths(shipped_lengths());
+  const double speed = machine_speed();
+  const auto estimate = [&](const Step& step) {
+    return lengths.of(options.preset, step.experiment, step.cases, speed);
+  };
+  double left = figures_length(lengths, options, plans, speed);
+  for (const Step& step : steps) left += estimate(step) * share_left(step, folder);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    fmt::print(stderr, "pelage: experiment {} of {}: {}, {} cases\n", i + 1, steps.size(),
-               steps[i].experiment, steps[i].cases);
+    fmt::print(stderr, "pelage: experiment {} of {}: {}, {} cases; about {} left\n", i + 1, steps.size(),
+               steps[i].experiment, steps[i].cases, length_text(left));
+    left -= estimate(steps[i]) * share_left(steps[i], folder);
+    const bool begun = fs::is_directory(folder / steps[i].experiment);
+    const auto from = std::chrono::steady_clock::now();
     const int code = run_step(steps[i], options, folder);
     if (code == no_device || code == 130 || code == 143) return code;  // all other steps would end likewise
+    if (!begun)
+      add_length(folder / "lengths.csv", options.preset, steps[i].experiment, seconds_since(from), speed);
     if (code != 0)
       notes.push_back(code == 1
                           ? fmt::format("{}: some cases have no time", steps[i].experiment)
                           : fmt::format("{}: pelage run ended with code {}", steps[i].experiment, code));
   }
   PapersPage page;
-  for (const PaperPlan& plan : plans) page.papers.push_back({plan, figures_of(plan, options, folder, notes)});
+  for (const PaperPlan& plan : plans) {
+    const auto from = std::chrono::steady_clock::now();
+    page.papers.push_back({plan, figures_of(plan, options, folder, notes)});
+    if (options.resume.empty())
+      add_length(folder / "lengths.csv", options.preset, plan.name + " figures", seconds_since(from), speed);
+  }
   Results results = read_all_results({folder.string()});
   note_failed_checks(plans, options, results.rows, notes);
+  page.claims = claims::judge(claims, input_sets(results.rows).front().rows);
+  if (options.smoke()) add_unmeasured(plans, results.rows);
   const std::vector<Report> reports =
       write_reports(results.rows, folder / "page", footnote_of, results.left_out);
-  page.claims = claims::judge(claims, input_sets(results.rows).front().rows);
   page.notes = notes;
   page.preset = options.preset;
   page.smoke = options.smoke();
@@ -244,7 +332,8 @@ void add_reproduce(CLI::App& app, Chosen& chosen) {
       ->excludes("--output");
   add_device_option(command, options.device);
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
-  command.add_flag("--dry-run", options.dry_run, "Print the experiments without running them");
+  command.add_flag("--dry-run", options.dry_run,
+                   "Print the experiments and how long they take, without running them");
 }
 
 }  // namespace pelage

@@ -12,6 +12,7 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/page/page.hpp"
+#include "harness/record/device_settings.hpp"
 #include "harness/record/merge.hpp"
 #include "harness/record/results_folder.hpp"
 #include "harness/record/shards.hpp"
@@ -40,7 +41,8 @@ void note_left_out(const std::vector<LeftOut>& list) {
 }
 
 int export_csv(const ExportOptions& options) {
-  const Results results = read_all_results(options.results);
+  Results results = read_all_results(options.results);
+  add_settings_as_axes(results.rows);
   const std::vector<FoundRow>& rows = results.rows;
   note_left_out(results.left_out);
   const std::string text = options.raw ? csv_by_sample(rows) : csv_by_phase(rows);
@@ -73,7 +75,9 @@ struct ClaimsOptions {
 int print_claims(const ClaimsOptions& options) {
   const claims::ClaimFile file = claims::read_claims(
       options.file.empty() ? claims::shipped_claims() : std::filesystem::path(options.file));
-  const std::vector<InputSet> sets = input_sets(read_results(options.results));
+  std::vector<FoundRow> rows = read_results(options.results);
+  add_settings_as_axes(rows);
+  const std::vector<InputSet> sets = input_sets(rows);
   const std::vector<claims::Judged> judged = claims::judge(file, sets.front().rows);
   for (std::size_t i = 1; i < sets.size(); ++i)
     fmt::print(
@@ -111,7 +115,7 @@ namespace {
 
 struct ReportOptions {
   std::vector<std::string> results, views;
-  std::string output;
+  std::string output, claims;
 };
 
 /// Replaces the view (table [report] of the experiment file) in the rows of an experiment by the view in
@@ -143,19 +147,18 @@ void print_report(const Report& written) {
   print_judged(written.claims);
   fmt::print("{}", written.scaling);
   for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);
-  for (const Cell& cell : written.cells)
-    if (cell.status != Status::ok)
-      fmt::print(stderr, "pelage: {} {}: {}: {}\n", cell.experiment, cell.case_name, to_text(cell.status),
-                 cell.reason);
 }
 
 int report(const ReportOptions& options) {
+  std::optional<claims::ClaimFile> claims;
+  if (!options.claims.empty()) claims = claims::read_claims(options.claims);
   Results results = read_all_results(options.results);
   for (LeftOut& one : missing_cases(journals_of(options.results), results.rows))
     results.left_out.push_back(std::move(one));
+  add_settings_as_axes(results.rows);
   for (const std::string& view : options.views) use_view(results.rows, view);
   const std::vector<Report> reports =
-      write_reports(results.rows, options.output, footnote_of, results.left_out);
+      write_reports(results.rows, options.output, footnote_of, results.left_out, claims);
   for (const Report& written : reports) print_report(written);
   const std::filesystem::path page = std::filesystem::path(options.output) / "index.html";
   for (const std::string& note : write_page(reports, page)) fmt::print(stderr, "pelage: {}\n", note);
@@ -175,6 +178,8 @@ void add_report(CLI::App& app, Chosen& chosen) {
       command, "--view", options.views, "FILE",
       "Experiment file whose table [report] replaces the one that the rows of this experiment recorded; may be given several times")
       ->allow_extra_args(false);
+  add_value(command, "--claims", options.claims, "FILE",
+            "File of claims to judge instead of experiments/claims.toml");
 }
 
 namespace {

@@ -76,8 +76,12 @@ Sweep plan_sweep(const RunOptions& options, const fs::path& file, std::uint64_t 
   sweep.experiment = read_experiment(file);
   sweep.limits = preset_of(sweep.experiment, options.preset).limits;
   sweep.cases = chosen_cases(sweep.experiment, options.preset, options.filter, options.overrides());
-  for (const std::string& warning : view_warnings(sweep.experiment.view, sweep.cases.front().axes))
-    fmt::print(stderr, "pelage: warning: {}: {}\n", sweep.experiment.file.string(), warning);
+  try {
+    for (const std::string& warning : view_warnings(sweep.experiment.view, sweep.cases.front().axes))
+      fmt::print(stderr, "pelage: warning: {}: {}\n", sweep.experiment.file.string(), warning);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", sweep.experiment.file.string(), error.what()));
+  }
   take_shard(sweep, options);
   sweep.cases = shuffled(std::move(sweep.cases), seed);
   if (options.tuning != "defaults")

@@ -40,7 +40,9 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
 }
 
 /// Returns an axis value as a part of a file name: of a mesh file the stem, unless another value of the axis
-/// has the same, and '_' for all characters except letters, digits, '.' and '_'.
+/// has the same, "0.7_1_0" of the list [0.7, 1, 0], and '_' for all characters except letters, digits, '.'
+/// and
+/// '_'.
 std::string fit_for_a_name(const Axis& axis, const std::string& value) {
   std::string text = value;
   if (axis.key == "model") {
@@ -49,6 +51,7 @@ std::string fit_for_a_name(const Axis& axis, const std::string& value) {
         axis.values, [&](const std::string& other) { return stem(other) == stem(value); });
     text = same > 1 ? fs::path(value).lexically_normal().replace_extension().string() : stem(value).string();
   }
+  if (text.starts_with('[')) std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == ' '; });
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_') c = '_';
   return text;
@@ -209,6 +212,22 @@ fs::path example_scene(const std::string& name) {
 }
 
 }  // namespace
+
+std::string sample_of(std::string_view pipeline) {
+  static const std::map<std::string_view, std::string_view> others{
+      {"springs", "time steps of a frame"},
+      {"springs+baseline", "time steps of a frame"},
+      {"springs+rivals", "time steps of a frame"},
+      {"springs-error", "one simulated second"},
+      {"springs-turns", "one simulated second"},
+      {"springs-jacobian", "one simulated second"},
+      {"springs-energy", "four simulated seconds"},
+      {"springs-drift", "four simulated seconds"},
+      {"springs-limit", "search for the longest step"},
+      {"springs-shape", "simulation until dynamics.time"}};
+  const auto found = others.find(pipeline);
+  return std::string(found == others.end() ? "frame" : found->second);
+}
 
 Case control_case(const Experiment& experiment, const Case& which) {
   std::vector<Axis> axes;

@@ -67,6 +67,9 @@ inline constexpr std::string_view default_pipeline = "shells", default_variant =
 /// Besides scene keys, the table of a variant in an experiment file may contain these three keys.
 inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapping", opengl_key = "opengl";
 
+/// Returns what one sample of the pipeline is: "frame", "one simulated second", ...
+std::string sample_of(std::string_view pipeline);
+
 struct Experiment {
   std::string name, title, paper, table, hardware;
   std::string collection;  ///< name with which `pelage run` runs the whole collection; may be empty

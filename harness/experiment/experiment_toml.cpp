@@ -1,5 +1,6 @@
 // Reads experiment files (experiments/*.toml).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <re2/re2.h>
 #include <toml++/toml.h>
 
@@ -49,6 +50,22 @@ std::string as_written(const toml::node& node, const Source& source) {
   return number && number == node.value<double>() ? written : plain(node);
 }
 
+/// Returns an axis value as text: as_written(), or for a list of numbers "[0.7, 1, 0]".
+std::string axis_value(const Source& source, const std::string& axis, const toml::node& node) {
+  if (node.is_value()) return as_written(node, source);
+  const toml::array* list = node.as_array();
+  if (!list || list->empty() || !is_scene_key(axis) ||
+      !std::ranges::all_of(*list, [](const toml::node& one) { return one.is_number(); }))
+    refuse(
+        source.file, &node,
+        fmt::format("the values of axis {} must be numbers or strings; only the axis of a scene key such as "
+                    "camera.eye may have lists of numbers",
+                    axis));
+  std::vector<std::string> numbers;
+  for (const toml::node& one : *list) numbers.push_back(as_written(one, source));
+  return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
 /// Appends the table's settings with dotted keys, so that [fur] length = 1 and fur.length = 1 give the same
 /// setting, after checking them. Skips the keys for which `other` returns true.
 void flatten(const fs::path& file, const toml::table& table, const std::string& prefix,
@@ -85,11 +102,7 @@ void find_axes(const Source& source, const toml::table& table, const std::string
              fmt::format("an axis cannot have the name {0}, because {0} is {1}", name,
                          reserved.contains(name) ? "a key of experiment files" : "a column of CSV files"));
     Axis axis{name, {}};
-    for (const toml::node& value : *list) {
-      if (!value.is_value())
-        refuse(source.file, &value, fmt::format("the values of axis {} must be numbers or strings", name));
-      axis.values.push_back(as_written(value, source));
-    }
+    for (const toml::node& value : *list) axis.values.push_back(axis_value(source, name, value));
     std::set<std::string> different;
     for (const std::string& value : axis.values)
       if (!different.insert(canonical(value)).second)

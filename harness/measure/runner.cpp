@@ -67,6 +67,7 @@ Row blank_row(const RunPlan& plan, const Case& which) {
   row.device = plan.device;
   row.repeat = plan.repeat;
   row.provenance = plan.provenance;
+  row.provenance["pipeline"] = which.pipeline;
   row.provenance["utc"] = utc_now();
   row.provenance["started_s"] = unix_time();
   row.provenance["load"] = load_average();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "harness/measure/statistics.hpp"
 #include "harness/page/page.hpp"
@@ -32,8 +33,10 @@ void add_report(Body& body, const Report& report) {
   }
   std::vector<claims::Judged> papers, ours;
   for (const claims::Judged& one : report.claims) (one.claim.ours() ? ours : papers).push_back(one);
+  const std::string own =
+      report.claims_file.empty() ? "Findings of our own" : "Claims of " + report.claims_file;
   add_claims(body, papers, "Claims of the papers");
-  add_claims(body, ours, "Findings of our own");
+  add_claims(body, ours, own.c_str());
 }
 
 /// Adds the pictures, and an empty element in which web/gallery.js shows two pictures for comparison.
@@ -84,18 +87,6 @@ void add_rows(Body& body, const std::vector<Report>& reports) {
   body.save_buttons({{"rows.jsonl", "All rows as JSON lines"}});
 }
 
-void add_failures(Body& body, const std::vector<Report>& reports) {
-  std::string items;
-  for (const Report& report : reports)
-    for (const Cell& c : report.cells)
-      if (c.status != Status::ok)
-        items += fmt::format("<li>{} {}: {}: {}</li>\n", html_text(c.experiment), html_text(c.case_name),
-                             to_text(c.status), html_text(c.reason));
-  if (items.empty()) return;
-  body.heading("Cases without a time", 1);
-  body.add("<ul>\n" + items + "</ul>\n");
-}
-
 void add_provenance(Body& body, const std::vector<Report>& reports) {
   body.heading("Provenance", 1);
   for (std::size_t r = 0; r < reports.size(); ++r) {
@@ -103,6 +94,21 @@ void add_provenance(Body& body, const std::vector<Report>& reports) {
     body.folded("Runs, machines and programs" + set, provenance_of(reports[r].rows));
     body.folded("References (BibTeX)" + set, bibliography_of(reports[r].rows));
   }
+}
+
+/// Returns the answers of all sections, one paragraph each. If there are several, each has its section's
+/// title.
+std::string answers_of(const std::vector<Report>& reports) {
+  std::vector<const Table*> tables;
+  for (const Report& report : reports)
+    for (const Section& section : report.sections)
+      if (!section.table.answer.empty()) tables.push_back(&section.table);
+  std::string html;
+  for (const Table* table : tables)
+    html += fmt::format("<p class=\"lead\">{}{}</p>\n",
+                        tables.size() > 1 ? fmt::format("<b>{}.</b> ", html_text(table->title)) : "",
+                        html_text(table->answer));
+  return html;
 }
 
 std::string summary_of(const std::vector<Report>& reports) {
@@ -133,6 +139,14 @@ std::string summary_of(const std::vector<Report>& reports) {
 
 }  // namespace
 
+std::string page_title(const std::vector<Report>& reports) {
+  std::set<std::string> experiments;
+  for (const Report& report : reports)
+    for (const Cell& c : report.cells) experiments.insert(c.experiment);
+  if (experiments.size() == 1) return title_of(reports.front().cells);
+  return fmt::format("Results of {} experiments", experiments.size());
+}
+
 std::string body_of(const std::vector<Report>& reports, const PageParts& parts) {
   Body body;
   for (std::size_t r = 0; r < reports.size(); ++r) {
@@ -142,17 +156,17 @@ std::string body_of(const std::vector<Report>& reports, const PageParts& parts) 
     body.add("</section>\n");
   }
   add_gallery(body, reports, parts);
-  add_failures(body, reports);
   add_rows(body, reports);
   add_provenance(body, reports);
   std::string notes;
   for (const std::string& note : parts.notes)
     notes += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));
   return fmt::format(
-      "<header>\n<h1>pelage: results</h1>\n<p class=\"lead\">{}</p>\n{}</header>\n"
+      "<header>\n<h1>{}</h1>\n{}<p class=\"soft\">{}</p>\n{}</header>\n"
       "<nav id=\"contents\" aria-label=\"Contents\"><details open><summary>Contents</summary>\n{}</details></nav>\n"
       "<main>\n{}</main>\n",
-      html_text(summary_of(reports)), notes, contents_of(body.entries()), body.html());
+      html_text(page_title(reports)), answers_of(reports), html_text(summary_of(reports)), notes,
+      contents_of(body.entries()), body.html());
 }
 
 }  // namespace pelage

@@ -64,7 +64,7 @@ std::string html_page(const std::string& title, const std::string& body, const s
 }
 
 std::string page_of(const std::vector<Report>& reports, const PageParts& parts) {
-  return html_page("pelage: results", body_of(reports, parts), reports);
+  return html_page(page_title(reports), body_of(reports, parts), reports);
 }
 
 std::vector<std::string> write_page(const std::vector<Report>& reports, const std::filesystem::path& file) {

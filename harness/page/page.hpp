@@ -44,6 +44,9 @@ std::vector<std::string> write_page(const std::vector<Report>& reports, const st
 /// and the Content-Security-Policy forbids network access and scripts without the page's random nonce.
 std::string page_of(const std::vector<Report>& reports, const PageParts& parts);
 
+/// Returns the title of the only experiment, or the number of experiments.
+std::string page_title(const std::vector<Report>& reports);
+
 /// Returns the HTML inside the "body" element, without the scripts.
 std::string body_of(const std::vector<Report>& reports, const PageParts& parts);
 

@@ -25,11 +25,18 @@ std::vector<claims::Judged> claims_of(const PapersPage& page, const PaperPlan& p
   return found;
 }
 
-/// How many claims have each verdict, in the order of claims::Verdict.
-std::array<std::size_t, 4> counts_of(const std::vector<claims::Judged>& judged) {
-  std::array<std::size_t, 4> counts{};
-  for (const claims::Judged& one : judged) ++counts[std::size_t(one.verdict)];
-  return counts;
+/// Returns a cell with the number of claims that have this verdict and their names, which lead to the claims.
+std::string verdict_cell(const std::vector<claims::Judged>& judged, claims::Verdict verdict, bool named) {
+  std::size_t count = 0;
+  std::string names;
+  for (const claims::Judged& one : judged) {
+    if (one.verdict != verdict) continue;
+    ++count;
+    names += fmt::format("{}<a href=\"#claim-{}\">{}</a>", names.empty() ? "" : ", ", html_text(one.claim.id),
+                         html_text(one.claim.id));
+  }
+  return fmt::format("<td class=\"prose\">{}{}</td>", count,
+                     named && count > 0 ? fmt::format("<br><small>{}</small>", names) : "");
 }
 
 /// Adds the table of the first screen: a line for each paper.
@@ -37,15 +44,16 @@ void add_summary(Body& body, const PapersPage& page) {
   body.add(
       "<div class=\"wide\"><table>\n<thead><tr><th>paper</th><th>holds</th><th>fails</th><th>undecided</th><th>not tested</th></tr></thead>\n<tbody>\n");
   for (const PaperPart& part : page.papers) {
-    const auto counts = counts_of(claims_of(page, part.plan));
+    const std::vector<claims::Judged> judged = claims_of(page, part.plan);
     body.add(fmt::format("<tr><td class=\"prose\"><a href=\"#{}\">{}</a></td>", part.plan.name,
                          html_text(part.plan.title)));
     if (page.smoke)
-      body.add(fmt::format("<td>–</td><td>–</td><td>–</td><td>{}</td></tr>\n",
-                           counts[0] + counts[1] + counts[2] + counts[3]));
+      body.add(fmt::format("<td>–</td><td>–</td><td>–</td><td>{}</td></tr>\n", judged.size()));
     else
-      body.add(fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", counts[0], counts[1],
-                           counts[2], counts[3]));
+      body.add(verdict_cell(judged, claims::Verdict::holds, false) +
+               verdict_cell(judged, claims::Verdict::fails, true) +
+               verdict_cell(judged, claims::Verdict::undecided, true) +
+               verdict_cell(judged, claims::Verdict::untestable, true) + "</tr>\n");
   }
   body.add("</tbody></table></div>\n");
 }
@@ -67,7 +75,7 @@ void add_paper_claims(Body& body, const PapersPage& page, const PaperPlan& plan)
   add_claims(body, judged, "Claims");
 }
 
-void add_paper_table(Body& body, const std::vector<Report>& reports, const PaperTable& table) {
+void add_paper_table(Body& body, const std::vector<Report>& reports, const PaperTable& table, bool smoke) {
   body.heading(table.title, 2);
   body.remark(table.caption);
   bool any = false;
@@ -78,7 +86,10 @@ void add_paper_table(Body& body, const std::vector<Report>& reports, const Paper
       if (!section.table.subtitle.starts_with(table.experiment + " on ")) continue;
       any = true;
       body.remark(section.table.subtitle);
+      if (!section.table.answer.empty())
+        body.add(fmt::format("<p class=\"answer\">{}</p>\n", html_text(section.table.answer)));
       body.add(html_of(section.table));
+      if (smoke) body.remark("skipped: not measured with the preset smoke.");
       body.save_buttons({{section.table.stem + ".csv", "CSV"}, {section.table.stem + ".tex", "LaTeX"}});
       for (const PlotSpec& plot : section.plots)
         add_plot(body, report, {plot.title, plot.stem}, section.table.stem + ".csv");
@@ -148,7 +159,7 @@ std::string papers_body(const std::vector<Report>& reports, const PapersPage& pa
     body.heading(part.plan.title, 1);
     body.remark(part.plan.authors);
     add_paper_claims(body, page, part.plan);
-    for (const PaperTable& table : part.plan.tables) add_paper_table(body, reports, table);
+    for (const PaperTable& table : part.plan.tables) add_paper_table(body, reports, table, page.smoke);
     for (std::size_t f = 0; f < part.plan.figures.size(); ++f)
       add_figure(body, part.plan.figures[f],
                  f < part.panels.size() ? part.panels[f] : std::vector<fs::path>(), most_width);

@@ -66,6 +66,7 @@ void add_plot(Body& body, const Report& report, const ReportPlot& plot, const st
 void add_table(Body& body, const Table& table, bool latex) {
   body.heading(table.title, 2, detail_of(table.subtitle));
   body.remark(table.subtitle);
+  if (!table.answer.empty()) body.add(fmt::format("<p class=\"answer\">{}</p>\n", html_text(table.answer)));
   body.add(html_of(table));
   std::vector<std::pair<std::string, std::string>> buttons{{table.stem + ".csv", "CSV"}};
   if (latex) buttons.emplace_back(table.stem + ".tex", "LaTeX");
@@ -79,18 +80,20 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
   body.add(
       "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th><th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
   for (const claims::Judged& one : judged) {
-    std::string details = one.reason;
+    std::string details = one.claim.test;
+    if (!one.reason.empty())
+      details += (details.empty() ? "" : " ") + fmt::format("{}: {}", to_text(one.verdict), one.reason);
     for (const std::string& note : one.notes) details += (details.empty() ? "" : "; ") + note;
     body.add(fmt::format(
-        "<tr><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}</td><td data-sort=\"{3}\">{4}</td><td>{5}</td><td class=\"prose\">{6}, {7}</td></tr>\n",
+        "<tr id=\"claim-{7}\"><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}</td><td data-sort=\"{3}\">{4}</td><td>{5}</td><td class=\"prose\">{6}</td></tr>\n",
         to_text(one.verdict), html_text(one.claim.statement),
         details.empty() ? "" : fmt::format("<br><span class=\"soft\">{}</span>", html_text(details)),
         one.value ? fmt::format("{:.6g}", *one.value) : "",
         one.value ? fmt::format("{}<br><span class=\"soft\">{}</span>", html_text(claims::effect_text(one)),
                                 html_text(claims::description_of(one.claim)))
                   : "–",
-        one.value ? html_text(one.claim.relation) : "–", html_text(one.claim.paper),
-        html_text(one.claim.section)));
+        one.value ? html_text(one.claim.relation) : "–", html_text(claims::source_of(one.claim)),
+        html_text(one.claim.id)));
   }
   body.add("</tbody></table></div>\n");
   body.save_buttons({{"claims.csv", "CSV"}});

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "harness/report/answer.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/sections.hpp"
 
@@ -106,11 +107,14 @@ std::string steps_remark(const std::vector<Cell>& cells) {
   return fmt::format("Time steps per frame: {}.", text);
 }
 
-std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
+std::vector<std::string> value_remarks(const std::vector<std::string>& values, const std::string& sample) {
   const auto shows = [&](const char* name) { return std::ranges::find(values, name) != values.end(); };
   std::vector<std::string> remarks;
   if (shows("median_ms"))
-    remarks.emplace_back("Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");
+    remarks.push_back(
+        sample == "frame"
+            ? "Frame time: median of the wall times of warm frames, in ms, and its 95% interval."
+            : fmt::format("{}, ms: median of the wall times of warm samples, and its 95% interval.", sample));
   if (shows("fps"))
     remarks.emplace_back(
         "Frames per second: 1000 divided by the median wall time of a warm frame in ms, and its 95% interval.");
@@ -141,13 +145,19 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
   Section section = about_variants ? of_variants(cells, stem, sources) : of_cases(cells, view, stem, sources);
   Table& table = section.table;
   for (const std::string& name : table.layout.values) show_interval(table, name);
-  std::vector<std::string> explained = value_remarks(table.layout.values);
+  std::vector<std::string> explained = value_remarks(table.layout.values, sample_of(cells));
   table.remarks.insert(table.remarks.begin(), explained.begin(), explained.end());
   add_remarks(table, {steps_remark(cells)});
   add_remarks(table, mark_remarks(cells));
   add_remarks(table, {drift_remark(cells)});
   section.plots = plots_of(table, cells, view, *sources.notes);
-  return {std::move(section)};
+  std::vector<Section> sections{std::move(section)};
+  if (std::optional<Table> choices = choices_of(cells)) {
+    choices->subtitle = sections.front().table.subtitle;
+    choices->stem = stem + "-choices";
+    sections.insert(sections.begin(), Section{std::move(*choices), {}});
+  }
+  return sections;
 }
 
 }  // namespace pelage

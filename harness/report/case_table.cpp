@@ -10,7 +10,7 @@
 #include "harness/base/numbers.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/nearest_name.hpp"
+#include "harness/record/device_settings.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
@@ -34,6 +34,7 @@ std::vector<std::string> axes_of(const std::vector<Cell>& cells) {
 
 Column axis_column(const std::string& axis) {
   if (axis == "layers") return {axis, axis, "{} layers"};
+  if (axis == "compute_units") return {axis, "compute units", "compute units {}"};
   if (axis == "model" || axis == "size" || axis == "reading") return {axis, axis};
   // If the axis is a scene key with a list of choices, its values keep the order of this list.
   Column column{axis, axis, axis + " {}"};
@@ -47,10 +48,12 @@ Column axis_column(const std::string& axis) {
 }
 
 /// Returns a column with a time or a frame rate. With `starred`, it adds marks_of() to the times, and shows
-/// the status of cells without a time; without, it shows "-" for these cells.
+/// the status of cells without a time; without, it shows "-" for these cells, and for limits of an interval
+/// from too few samples.
 CellColumn time_column(const std::string& name, const std::string& heading, bool starred,
                        double (*number)(const Cell&)) {
   return {{name, heading}, [=](const Cell& c) {
+            if (timed(c) && !starred && !has_interval(c)) return number_value({});
             if (!timed(c)) {
               const auto status = std::string(to_text(c.status == Status::ok ? Status::error : c.status));
               return Value{"", starred ? status : "-", c.reason, "", true};
@@ -58,8 +61,10 @@ CellColumn time_column(const std::string& name, const std::string& heading, bool
             Value value = number_value(number(c));
             if (!starred) return value;
             value.shown += marks_of(c);
-            value.hint = fmt::format("{:.4g} ms, 95% interval {:.4g} to {:.4g} ms", c.median_ms,
-                                     c.interval_ms.low, c.interval_ms.high);
+            value.hint = fmt::format("{:.4g} ms", c.median_ms);
+            if (has_interval(c))
+              value.hint +=
+                  fmt::format(", 95% interval {:.4g} to {:.4g} ms", c.interval_ms.low, c.interval_ms.high);
             return value;
           }};
 }
@@ -94,6 +99,8 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
                            const Metric* found = c.metric(name);
                            if (c.status != Status::ok || !found) return number_value({});
                            const std::optional<double> number = part(*found);
+                           if (found->unit == "dB" && number && *number >= decibels_of_equal_pictures)
+                             return Value{"inf", "equal"};
                            return number && *number == double(std::int64_t(*number)) ? count_value(number)
                                                                                      : number_value(number);
                          }});
@@ -179,10 +186,13 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   const auto time = [&](const char* name, const char* heading, bool starred, double (*of)(const Cell&)) {
     columns.push_back(time_column(name, heading, starred, of));
   };
-  time("fps", "fps", true, [](const Cell& c) { return c.fps(); });
-  time("fps_low", "low", false, [](const Cell& c) { return 1000 / c.interval_ms.high; });
-  time("fps_high", "high", false, [](const Cell& c) { return 1000 / c.interval_ms.low; });
-  time("median_ms", "frame, ms", true, [](const Cell& c) { return c.median_ms; });
+  const std::string sample = sample_of(cells), heading = sample + ", ms";
+  if (sample == "frame") {
+    time("fps", "fps", true, [](const Cell& c) { return c.fps(); });
+    time("fps_low", "low", false, [](const Cell& c) { return 1000 / c.interval_ms.high; });
+    time("fps_high", "high", false, [](const Cell& c) { return 1000 / c.interval_ms.low; });
+  }
+  time("median_ms", heading.c_str(), true, [](const Cell& c) { return c.median_ms; });
   time("median_ms_low", "low", false, [](const Cell& c) { return c.interval_ms.low; });
   time("median_ms_high", "high", false, [](const Cell& c) { return c.interval_ms.high; });
   columns.push_back({{"cpu_ms", "CPU time, ms"},
@@ -299,6 +309,12 @@ std::string interval_text(const Metric& ratio) {
   return ratio.low && ratio.high ? fmt::format(" [{:.2f}, {:.2f}]", *ratio.low, *ratio.high) : "";
 }
 
+std::string contended_remark() {
+  return fmt::format(
+      "! other processes used more than {:g}% of the machine's CPU time while the case was timed.",
+      100 * most_other_share);
+}
+
 std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {
   const auto any = [&](bool (*marked)(const Cell&)) {
     return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return timed(c) && marked(c); });
@@ -306,10 +322,7 @@ std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {
   std::vector<std::string> remarks;
   if (any([](const Cell& c) { return !c.converged; }))
     remarks.emplace_back("* the 95% interval of the median is wider than the preset requires.");
-  if (any([](const Cell& c) { return c.contended; }))
-    remarks.push_back(fmt::format(
-        "! other processes used more than {:g}% of the machine's CPU time while the case was timed.",
-        100 * most_other_share));
+  if (any([](const Cell& c) { return c.contended; })) remarks.push_back(contended_remark());
   return remarks;
 }
 
@@ -340,32 +353,14 @@ std::string drift_remark(const std::vector<Cell>& cells) {
 
 std::string equal_pictures_remark(const std::vector<Cell>& cells) {
   std::vector<CasePicture> pictures;
-  for (const Cell& c : cells)
-    if (timed(c))
-      pictures.push_back({name_of(c), c.variant, fmt::format("{}", fmt::join(c.pixel_hashes, " "))});
+  for (const Cell& c : cells) {
+    if (!timed(c)) continue;
+    Cell named;
+    named.axes = c.axes;
+    std::erase_if(named.axes, [](const auto& axis) { return is_device_setting(axis.first); });
+    pictures.push_back({name_of(named), c.variant, fmt::format("{}", fmt::join(c.pixel_hashes, " "))});
+  }
   return equal_pictures(pictures);
-}
-
-std::vector<std::string> view_warnings(const View& view, const std::map<std::string, std::string>& axes) {
-  Cell cell;
-  cell.axes = axes;
-  std::vector<std::string> known{"triangles"};
-  for (const CellColumn& column : case_columns({cell})) known.push_back(column.column.name);
-  std::vector<std::string> warnings;
-  const auto check = [&](const char* key, const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-      // Short names resemble many columns by chance.
-      if (name.size() < 4 || std::find(known.begin(), known.end(), name) != known.end()) continue;
-      const std::string near = nearest_name(name, known);
-      if (edit_distance(name, near) > 2) continue;
-      warnings.push_back(fmt::format(
-          "report.{} names the column {}, which is neither an axis nor a time of the table; did you mean {}?",
-          key, name, near));
-    }
-  };
-  if (!view.x.empty()) check("x", {view.x});
-  for (const auto& [key, member] : view_lists) check(key, view.*member);
-  return warnings;
 }
 
 std::string equal_pictures(const std::vector<CasePicture>& pictures) {

@@ -73,6 +73,9 @@ std::string marks_of(const Cell& cell);
 /// Returns " [low, high]" of a ratio; "" if it has no interval, because it is that of a single round.
 std::string interval_text(const Metric& ratio);
 
+/// Returns the sentence that explains the mark "!" of a time.
+std::string contended_remark();
+
 /// Returns one sentence for each mark (marks_of()) that occurs in these cells.
 std::vector<std::string> mark_remarks(const std::vector<Cell>& cells);
 
@@ -87,7 +90,8 @@ std::string equal_pictures_remark(const std::vector<Cell>& cells);
 /// Returns one warning for each name in the view that is not a column of a case table but resembles one:
 /// "report.y names the column medan_ms, which is neither an axis nor a time of the table; did you mean
 /// median_ms?". The axes are those of a case. The names of phases and metrics are known only after the run,
-/// so a name that resembles no known column gives no warning.
+/// so a name that resembles no known column gives no warning. Throws InputError for a scene key that is no
+/// axis, and for such an x, because a report could not draw it.
 std::vector<std::string> view_warnings(const View& view, const std::map<std::string, std::string>& axes);
 
 /// The picture of one case, compared with others because equal pixels usually show that a setting has no

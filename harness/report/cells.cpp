@@ -10,7 +10,9 @@
 #include <tuple>
 
 #include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/report/sections.hpp"
 
 namespace pelage {
 namespace {
@@ -130,6 +132,19 @@ void summarize(Cell& cell, const std::vector<FoundRow>& rows) {
 
 }  // namespace
 
+std::string sample_of(const std::vector<Cell>& cells) {
+  const bool equal =
+      std::ranges::all_of(cells, [&](const Cell& c) { return c.sample == cells.front().sample; });
+  return cells.empty() || !equal ? "sample" : cells.front().sample;
+}
+
+bool has_interval(const Cell& cell) {
+  constexpr std::size_t fewest = 6;  // of samples, for an interval of 95% from order statistics
+  std::size_t samples = 0;
+  for (const auto& process : cell.timings.processes) samples += process.size();
+  return samples >= fewest;
+}
+
 std::string Cell::axis(const std::string& key) const {
   return value_at(axes, key);
 }
@@ -177,7 +192,20 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
     place->rows.push_back(r);
     add(*place, found.row);
   }
-  for (Cell& cell : cells) summarize(cell, rows);
+  std::map<std::string, Experiment>
+      shipped;  // for rows of earlier versions, which do not name their pipeline
+  for (Cell& cell : cells) {
+    summarize(cell, rows);
+    std::string pipeline = provenance_text(rows[cell.rows.front()].row, "pipeline");
+    if (pipeline.empty()) {
+      const auto [place, added] = shipped.try_emplace(cell.experiment);
+      if (added) place->second = shipped_experiment(cell.experiment).value_or(Experiment{});
+      if (const auto variant = place->second.variants.find(cell.variant);
+          variant != place->second.variants.end())
+        pipeline = value_at(variant->second, std::string(pipeline_key));
+    }
+    cell.sample = sample_of(pipeline);
+  }
   std::ranges::stable_sort(cells, {}, [](const Cell& c) { return std::tie(c.experiment, c.device, c.host); });
   for (int index = 0; Cell & cell : cells) cell.index = index++;
   return cells;

@@ -12,6 +12,9 @@
 
 namespace pelage {
 
+/// Rows contain this PSNR (dB) for pictures that do not differ, as with a picture and itself.
+inline constexpr double decibels_of_equal_pictures = 200;
+
 /// True for a value of the axis "reading" that titles and names leave out.
 bool is_usual_reading(std::string_view value);
 
@@ -30,6 +33,7 @@ struct Cell {
   /// Name of each phase other than "frame" -> median of its times in ms (times_of()).
   std::map<std::string, double> phase_ms;
   std::optional<double> cpu_ms;  ///< median of the CPU times of frames, in ms
+  std::string sample;            ///< what one sample is (sample_of())
   std::string title;             ///< title of the experiment; "" for rows of earlier versions
   std::string renderer;          ///< OpenGL renderer; "" if the OpenGL baseline did not run
   nlohmann::json view;           ///< table [report] of the experiment file; null for rows of earlier versions
@@ -53,6 +57,12 @@ struct Cell {
   const Metric* metric(const std::string& name) const;  ///< null if the cell has no such metric
   double fps() const { return 1000 / median_ms; }       ///< only for a cell with a time
 };
+
+/// Returns Cell::sample of all cells, "sample" if they differ.
+std::string sample_of(const std::vector<Cell>& cells);
+
+/// Whether the cell has enough samples for the interval of its median.
+bool has_interval(const Cell& cell);
 
 inline bool timed(const Cell& cell) {
   return cell.status == Status::ok && cell.median_ms > 0;

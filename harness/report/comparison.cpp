@@ -12,7 +12,7 @@
 
 #include "harness/error.hpp"
 #include "harness/measure/difference.hpp"
-#include "harness/table/table.hpp"
+#include "harness/report/case_table.hpp"
 
 namespace pelage {
 namespace {
@@ -24,17 +24,22 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// Returns a text with the properties that must be equal in the two cells of a pair: all but the property
-/// that `by` names.
-std::string common_name(const Cell& cell, const CompareBy& by) {
-  std::string name = cell.experiment;
+/// Returns the properties that must be equal in the two cells of a pair: all but the property that `by`
+/// names.
+std::vector<std::string> common_parts(const Cell& cell, const CompareBy& by) {
+  std::vector<std::string> parts{cell.experiment};
   for (const auto& [key, value] : cell.axes)
-    if (by.text != "axes." + key && key != "variant") name += fmt::format(" {}={}", key, value);
+    if (by.text != "axes." + key && key != "variant") parts.push_back(fmt::format("{}={}", key, value));
   for (const auto& [key, value] : cell.overrides)
-    if (by.text != "axes." + key && cell.axis(key) != value) name += fmt::format(" [{}={}]", key, value);
-  if (by.text != "variant" && by.text != "axes.variant") name += " " + cell.variant;
-  if (by.text != "device") name += " " + cell.device + "@" + cell.host;
-  return name;
+    if (by.text != "axes." + key && cell.axis(key) != value)
+      parts.push_back(fmt::format("[{}={}]", key, value));
+  if (by.text != "variant" && by.text != "axes.variant") parts.push_back(cell.variant);
+  if (by.text != "device") parts.push_back(cell.device + "@" + cell.host);
+  return parts;
+}
+
+std::string common_name(const Cell& cell, const CompareBy& by) {
+  return fmt::format("{}", fmt::join(common_parts(cell, by), " "));
 }
 
 /// The verdicts of Side::below, within, above and undecided.
@@ -86,6 +91,7 @@ void add_equal_cases(std::vector<Match>& matches, const std::vector<Cell>& a, co
 
 Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
   Pair pair{.name = common_name(a, by),
+            .parts = common_parts(a, by),
             .a = value_of(a, by),
             .b = value_of(b, by),
             .a_ms = timed(a) ? typical_ms(a.timings) : 0,
@@ -93,7 +99,10 @@ Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
             .a_processes = a.timings.processes.size(),
             .b_processes = b.timings.processes.size(),
             .contended = a.contended || b.contended};
-  if (by.text == "device" && a.variant != b.variant) pair.name += " -> " + b.variant;
+  if (by.text == "device" && a.variant != b.variant) {
+    pair.name += " -> " + b.variant;
+    pair.parts.push_back("-> " + b.variant);
+  }
   if (timed(a) && !timed(b)) {
     pair.verdict = Verdict::lost;
     pair.reason = std::string(to_text(b.status));
@@ -172,6 +181,88 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
 std::string_view to_text(Verdict verdict) {
   static constexpr std::string_view names[] = {"same", "faster", "slower", "undecided", "lost"};
   return names[std::size_t(verdict)];
+}
+
+namespace {
+
+/// Returns the properties of the first pair that all pairs have.
+std::vector<std::string> shared_parts(const std::vector<Pair>& pairs) {
+  std::vector<std::string> shared = pairs.front().parts;
+  if (pairs.size() > 1)
+    std::erase_if(shared, [&](const std::string& part) {
+      return std::ranges::any_of(pairs,
+                                 [&](const Pair& p) { return std::ranges::count(p.parts, part) == 0; });
+    });
+  return shared;
+}
+
+std::string percent(double fraction) {
+  return fmt::format("{:+.1f}%", 100 * fraction);
+}
+
+}  // namespace
+
+Table comparison_table(const std::vector<Pair>& pairs, const CompareBy& by) {
+  const bool one = std::ranges::all_of(
+      pairs, [&](const Pair& p) { return p.a == pairs.front().a && p.b == pairs.front().b; });
+  const std::string key = by.text.starts_with("axes.") ? by.text.substr(5) : by.text;
+  const auto heading = [&](const char* side, const std::string& value) {
+    if (!one || value.empty()) return fmt::format("{}, ms", side);
+    return key == "device" || key == "variant" ? fmt::format("{}, ms", value)
+                                               : fmt::format("{}={}, ms", key, value);
+  };
+  Table table;
+  table.title = by.text.empty() ? "Frame times of A and B" : fmt::format("Frame times by {}", key);
+  table.stem = "comparison";
+  table.columns = {{"case", "case"},
+                   {"a", key + " A"},
+                   {"b", key + " B"},
+                   {"a_ms", heading("A", pairs.front().a)},
+                   {"b_ms", heading("B", pairs.front().b)},
+                   {"change", "change"},
+                   {"change_low", "low"},
+                   {"change_high", "high"},
+                   {"verdict", "verdict"}};
+  table.layout = {{}, {"case"}, {}, {"a_ms", "b_ms", "change", "verdict"}};
+  if (!one) table.layout.rows.insert(table.layout.rows.end(), {"a", "b"});
+  const std::vector<std::string> shared = shared_parts(pairs);
+  table.subtitle = fmt::format("{}", fmt::join(shared, " "));
+  for (const Pair& p : pairs) {
+    std::vector<std::string> own;
+    for (const std::string& part : p.parts)
+      if (std::ranges::count(shared, part) == 0) own.push_back(part);
+    const bool both = p.a_ms > 0 && p.b_ms > 0;
+    const auto time = [](double ms) { return number_value(ms > 0 ? std::optional(ms) : std::nullopt); };
+    const auto change = [&](double fraction) {
+      return both ? Value{fmt::format("{:.6g}", 100 * fraction), percent(fraction)} : number_value({});
+    };
+    table.lines.push_back({text_value(own.empty() ? "all" : fmt::format("{}", fmt::join(own, " "))),
+                           text_value(p.a), text_value(p.b), time(p.a_ms), time(p.b_ms), change(p.change),
+                           change(p.interval.low), change(p.interval.high),
+                           text_value(std::string(to_text(p.verdict)) + (p.contended ? " !" : ""))});
+  }
+  std::ranges::stable_sort(table.lines, natural_less, [](const auto& line) { return line.front().data; });
+  show_interval(table, "change");
+  table.remarks = {
+      "Change: relative change of the time from the first to the second, and its confidence interval."};
+  if (std::ranges::any_of(pairs, &Pair::contended)) table.remarks.push_back(contended_remark());
+  return table;
+}
+
+PlotSpec comparison_plot(const Table& table) {
+  PlotSpec plot;
+  plot.title = table.title;
+  plot.stem = table.stem;
+  plot.x = "case";
+  plot.y = "change";
+  plot.y_label = "change of the time, %";
+  plot.low = "change_low";
+  plot.high = "change_high";
+  plot.guide = 0;
+  plot.bars = true;
+  plot.note = table.subtitle;
+  if (std::ranges::count(table.layout.rows, "a") > 0) plot.series = {"a", "b"};
+  return plot;
 }
 
 double fraction_from_text(const std::string& option, const std::string& text) {

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "harness/report/cells.hpp"
+#include "harness/report/plot_spec.hpp"
+#include "harness/table/table.hpp"
 
 namespace pelage {
 
@@ -20,9 +22,10 @@ struct CompareBy {
 enum class Verdict { same, faster, slower, undecided, lost };
 
 struct Pair {
-  std::string name;   ///< the properties that the two compared cells have in common
-  std::string a, b;   ///< values of the property `by` in the two cells
-  double a_ms, b_ms;  ///< typical_ms() of both cells; 0 if a time is missing
+  std::string name;                ///< the properties that the two compared cells have in common
+  std::vector<std::string> parts;  ///< the same, one property each
+  std::string a, b;                ///< values of the property `by` in the two cells
+  double a_ms, b_ms;               ///< typical_ms() of both cells; 0 if a time is missing
   std::size_t a_processes, b_processes;
   bool contended;         ///< whether other processes disturbed the timing of A or B
   double change = 0;      ///< b_ms / a_ms - 1; 0 if a time is missing
@@ -55,6 +58,14 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
                                 const CompareBy& by, const CompareLimits& limits);
 
 std::string_view to_text(Verdict verdict);
+
+/// Returns a table with one line per pair: both times, the change with its interval, and the verdict. The
+/// subtitle contains the properties that all pairs have in common. `pairs` is a result of compare_cells() and
+/// not empty.
+Table comparison_table(const std::vector<Pair>& pairs, const CompareBy& by);
+
+/// Returns a plot of the changes in a comparison_table().
+PlotSpec comparison_plot(const Table& table);
 
 /// Returns 0.05 for both "5%" and "0.05". The message of the InputError for other texts contains `option`.
 double fraction_from_text(const std::string& option, const std::string& text);

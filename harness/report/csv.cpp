@@ -109,8 +109,8 @@ std::string csv_by_sample(const std::vector<FoundRow>& rows) {
 namespace {
 
 std::string names_of(const Row& row) {
-  return fmt::format("{}|{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
-                     provenance_text(row, "host"), changes_of(row.overrides, "|"));
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
+                     provenance_text(row, "host"), changes_of(row.overrides, "|"), changes_of(row.axes, "|"));
 }
 
 /// The identities of cases.

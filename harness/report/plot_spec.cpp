@@ -141,6 +141,9 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
 
 std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cells, const View& view,
                                std::vector<std::string>& notes) {
+  // The numbers of a paper's figures are no quantity, and their frames were drawn for the pictures.
+  const auto of_a_figure = [](const Cell& c) { return c.axes.contains("figure"); };
+  if (view == View{} && std::ranges::any_of(cells, of_a_figure)) return {};
   PlotSpec first;
   place(first, table, cells, view, notes);
   first.bars = view.marks == "bars";
@@ -162,7 +165,8 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
     if (numbers < 2) continue;
     PlotSpec plot = first;
     plot.y = y;
-    plot.y_label = y == "median_ms" ? "frame time, ms" : heading(y);
+    const std::string sample = sample_of(cells);
+    plot.y_label = y != "median_ms" ? heading(y) : sample == "frame" ? "frame time, ms" : sample + ", ms";
     if (y.ends_with("_ms") && !plot.y_label.ends_with(", ms")) plot.y_label += ", ms";
     plot.y_scale = view.y_scale.empty() ? scale_of(table, y) : view.y_scale;
     if (y == "frame_over_baseline") plot.y_label = "frame time / frame time of the baseline", plot.guide = 1;

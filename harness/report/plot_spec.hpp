@@ -32,9 +32,9 @@ struct PlotSpec {
   std::string note;                                       ///< text above the panels, such as the device
 };
 
-/// Returns the plots of a table: one plot for each y of the view with at least two numbers. If x of the view
-/// has only one value, the series column with the most values becomes x, or else the key column (axis or
-/// variant) with the most values.
+/// Returns the plots of a table: one plot for each y of the view with at least two numbers; none without a
+/// view for cells with the axis "figure". If x of the view has only one value, the series column with the
+/// most values becomes x, or else the key column (axis or variant) with the most values.
 ///
 /// If the view names no x, the numeric key column with the most values becomes x. A second numeric key column
 /// gives the panels, and the other key columns give the series. The text key column with the most values

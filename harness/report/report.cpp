@@ -145,11 +145,13 @@ void note_copies(Report& report, const std::vector<FoundRow>& rows) {
         "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
 }
 
-/// Writes the verdicts on the papers' claims to tables/claims.csv, without claims about experiments that are
-/// not in the rows.
-void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder) {
+/// Writes the verdicts on the claims to tables/claims.csv, without claims about experiments that are not in
+/// the rows.
+void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder,
+                  const std::optional<claims::ClaimFile>& own) {
+  if (own) report.claims_file = own->file.filename().string();
   try {
-    report.claims = claims::judge(claims::read_claims(claims::shipped_claims()), rows);
+    report.claims = claims::judge(own ? *own : claims::read_claims(claims::shipped_claims()), rows);
   } catch (const InputError& error) {
     report.notes.push_back(fmt::format("the report has no claims: {}", error.what()));
   }
@@ -161,7 +163,8 @@ void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::p
 }  // namespace
 
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::path& folder,
-                                  const ModelNote& note, const std::vector<LeftOut>& left_out) {
+                                  const ModelNote& note, const std::vector<LeftOut>& left_out,
+                                  const std::optional<claims::ClaimFile>& claims) {
   const std::vector<InputSet> sets = input_sets(rows);
   std::vector<Report> reports;
   std::vector<std::string> apart;
@@ -169,18 +172,20 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
     apart.push_back(fmt::format(
         "{} of {} rows have the same names (case, variant, device and so on) as other rows but measured different inputs ({}); their files are in the folder inputs-{}, and the page shows them separately",
         sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
-  reports.push_back(write_report(sets.front().rows, folder, note, apart, left_out));
+  reports.push_back(write_report(sets.front().rows, folder, note, apart, left_out, claims));
   for (std::size_t i = 1; i < sets.size(); ++i)
     reports.push_back(write_report(
         sets[i].rows, folder / fmt::format("inputs-{}", i + 1), note,
         {fmt::format(
             "the inputs of these rows ({}) differ from the inputs of the rows with the same names (case, variant, device and so on) in the first set",
-            sets[i].differs)}));
+            sets[i].differs)},
+        {}, claims));
   return reports;
 }
 
 Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, const ModelNote& note,
-                    std::vector<std::string> notes, std::vector<LeftOut> left_out) {
+                    std::vector<std::string> notes, std::vector<LeftOut> left_out,
+                    const std::optional<claims::ClaimFile>& claims) {
   for (const char* part : {"tables", "plots", "images"}) make_folder(folder / part);
   Report report;
   report.folder = folder;
@@ -206,7 +211,7 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   report.solvers = solver_table(rows);
   if (!report.solvers.lines.empty())
     write_file(report, folder / "tables" / (report.solvers.stem + ".csv"), csv_of(report.solvers));
-  judge_claims(report, rows, folder);
+  judge_claims(report, rows, folder, claims);
   write_scaling(report, folder);
   write_in_turns(report, folder);
   write_file(report, folder / "references.bib", bibliography_of(rows));

@@ -2,6 +2,7 @@
 // HTML page.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,9 @@ struct Report {
   std::vector<Section> sections;  ///< each section's table is also in tables/STEM.csv, .tex and .txt
   /// Table of tables/topology-solvers-ratios.csv; without lines, there is no such file.
   Table solvers;
-  /// Verdicts on the papers' claims about the experiments in the rows, also in tables/claims.csv if there are
-  /// any.
+  /// Verdicts on the claims about the experiments in the rows, also in tables/claims.csv if there are any.
   std::vector<claims::Judged> claims;
+  std::string claims_file;  ///< name of the user's file of claims; "" for experiments/claims.toml
   std::vector<ReportPlot> plots;
   /// Text about the cost of additional layers, and the text of the fit by plots/scaling.py.
   std::string scaling;
@@ -34,17 +35,18 @@ struct Report {
 };
 
 /// Writes one report per set of rows (input_sets()): the first into `folder`, the others into its folders
-/// inputs-2, inputs-3 and so on. The section "Left out" of the first report also contains `left_out`. Throws
-/// like write_report().
+/// inputs-2, inputs-3 and so on. The section "Left out" of the first report also contains `left_out`. Judges
+/// `claims`, or those of experiments/claims.toml. Throws like write_report().
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
-                                  const ModelNote& note, const std::vector<LeftOut>& left_out = {});
+                                  const ModelNote& note, const std::vector<LeftOut>& left_out = {},
+                                  const std::optional<claims::ClaimFile>& claims = {});
 
 /// Writes all parts of the report into `folder` (created if missing). `notes` become the first notes of the
 /// report. If `left_out` or the result of without_numbers() is not empty, the last section lists both. Throws
 /// InputError for a path that cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                     const ModelNote& note, std::vector<std::string> notes = {},
-                    std::vector<LeftOut> left_out = {});
+                    std::vector<LeftOut> left_out = {}, const std::optional<claims::ClaimFile>& claims = {});
 
 /// Returns BibTeX entries of pelage and of the papers whose experiments are among the rows.
 std::string bibliography_of(const std::vector<FoundRow>& rows);

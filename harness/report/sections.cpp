@@ -10,6 +10,7 @@
 
 #include "harness/error.hpp"
 #include "harness/measure/provenance.hpp"
+#include "harness/report/answer.hpp"
 #include "harness/report/case_table.hpp"
 
 namespace pelage {
@@ -77,6 +78,7 @@ std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& 
   std::vector<Section> sections;
   for (const auto& [key, group] : groups) {
     std::vector<Section> own = of_group(group, stem_of(group.front(), sources), sources);
+    own.front().table.answer = answer_of(group);
     add_remarks(own.front().table, {equal_pictures_remark(group)});
     std::ranges::move(own, std::back_inserter(sections));
   }

@@ -56,17 +56,11 @@ bool strands_ignore(std::string_view key, const Scene& scene) {
   return key != "fur.uv" && listed(key, layers);
 }
 
-/// The ray-cast picture shows all strands at rest, as cones and without shadows of strands.
+/// The ray-cast picture shows all strands at rest, as cones.
 bool raycast_ignores(std::string_view key, const Scene& scene) {
-  static constexpr std::string_view motion_and_drawing[] = {"contact.",
-                                                            "dynamics.",
-                                                            "strands.chain.",
-                                                            "strands.segments",
-                                                            "strands.subdivision",
-                                                            "strands.fraction",
-                                                            "strands.least_width",
-                                                            "strands.shadow",
-                                                            "strands.shadow_size"};
+  static constexpr std::string_view motion_and_drawing[] = {
+      "contact.",         "dynamics.",          "strands.chain.", "strands.segments", "strands.subdivision",
+      "strands.fraction", "strands.least_width"};
   return strands_ignore(key, scene) ||
          (key != "strands.chain.first_segment" && listed(key, motion_and_drawing));
 }
@@ -76,7 +70,7 @@ constexpr PipelineName pipeline_table[] = {
     {"reference", "naive implementation in double precision on the host", shells_ignore},
     {"strands", "single strands instead of layers, on OpenCL (docs/strands.md)", strands_ignore},
     {"strands-reference", "naive implementation of strands in double precision on the host", strands_ignore},
-    {"strands-raycast", "strands at rest as cones, ray-cast, without shadows of strands", raycast_ignores},
+    {"strands-raycast", "strands at rest as cones, ray-cast", raycast_ignores},
     {"strands-opengl", "strands in OpenGL, one strip per strand", strands_ignore},
     {"opengl", "the pipeline of Silva et al. (2010) in OpenGL, with one pass per layer", shells_ignore},
 };

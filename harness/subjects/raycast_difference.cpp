@@ -95,7 +95,6 @@ std::unique_ptr<Subject> against_raycast(SubjectContext& context, const Case& wh
   Scene scene = scene_of(context.experiment, which);
   scene.strands.fraction = 1;  // the ray-cast picture shows all strands
   scene.strands.least_width = 0;
-  scene.strands.shadow = "none";
   scene.fur = {};  // strands use no key of the fur of layers
   const auto mesh = context.mesh_of(scene);
   strands::refuse_frames(*mesh);

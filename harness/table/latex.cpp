@@ -72,8 +72,11 @@ std::string latex_of(const Table& table) {
   const Pivot pivot = pivot_of(table);
   std::string columns(pivot.keys.size() + pivot.groups.size() * pivot.values.size(), 'r');
   std::replace(columns.begin(), columns.begin() + std::min<std::ptrdiff_t>(1, std::ssize(columns)), 'r', 'l');
-  std::string text = "% needs \\usepackage{booktabs,threeparttable}\n\\begin{threeparttable}\n" +
-                     fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", columns);
+  // The table becomes smaller only if it is wider than a column.
+  std::string text =
+      "% needs \\usepackage{booktabs,threeparttable,adjustbox}\n"
+      "\\begin{adjustbox}{max width=\\columnwidth}\n\\begin{threeparttable}\n" +
+      fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", columns);
   for (const Pivot::Block& block : pivot.blocks)
     text += (&block == &pivot.blocks.front() ? "" : "\\midrule\n") + block_of(pivot, block);
   text += "\\bottomrule\n\\end{tabular}\n\\begin{tablenotes}\\footnotesize\n";
@@ -81,7 +84,7 @@ std::string latex_of(const Table& table) {
   for (const std::string& remark : table.remarks) text += fmt::format("\\item {}\n", latex_text(remark));
   for (const auto& [mark, note] : table.footnotes)
     text += fmt::format("\\item[{}] {}\n", latex_text(mark), latex_text(note));
-  return text + "\\end{tablenotes}\n\\end{threeparttable}\n";
+  return text + "\\end{tablenotes}\n\\end{threeparttable}\n\\end{adjustbox}\n";
 }
 
 }  // namespace pelage

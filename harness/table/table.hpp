@@ -46,9 +46,10 @@ struct Layout {
 };
 
 struct Table {
-  std::string title;     ///< for example "Cost of each topology"
-  std::string subtitle;  ///< experiment, device, and values that all lines have in common
-  std::string stem;      ///< STEM of the files tables/STEM.csv and tables/STEM.tex
+  std::string title;        ///< for example "Cost of each topology"
+  std::string subtitle;     ///< experiment, device, and values that all lines have in common
+  std::string answer = {};  ///< one sentence with the result; shown above the lines, but not in LaTeX
+  std::string stem;         ///< STEM of the files tables/STEM.csv and tables/STEM.tex
   std::vector<Column> columns;
   std::vector<std::vector<Value>>
       lines;  ///< one value per column; the cross table's rows keep the order of the lines

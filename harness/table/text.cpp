@@ -103,6 +103,7 @@ std::string text_of(const Table& table) {
   const Pivot pivot = pivot_of(table);
   const Widths widths = widths_of(pivot);
   std::string text = table.title + (table.subtitle.empty() ? "" : ": " + table.subtitle) + "\n";
+  if (!table.answer.empty()) text += table.answer + "\n";
   for (const Pivot::Block& block : pivot.blocks) {
     text += '\n';
     text += text_head(pivot, block, widths);

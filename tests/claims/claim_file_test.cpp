@@ -75,7 +75,7 @@ untestable = "there are none"
   EXPECT_EQ(c.effect, Effect::ratio);
   EXPECT_EQ(c.quantity, Quantity::frame_rate);
   EXPECT_EQ(c.phases.at("quarter"), "16");
-  EXPECT_EQ(c.of, "64");
+  EXPECT_EQ(c.of, (Selection{{"layers", "64"}}));
   EXPECT_EQ(c.combine, Combine::geometric_mean);
   EXPECT_DOUBLE_EQ(c.region.low.value(), 0.2);
   EXPECT_DOUBLE_EQ(c.region.high.value(), 0.3);
@@ -86,6 +86,19 @@ untestable = "there are none"
       "one process drew the cases alternately");
   EXPECT_EQ(file.claims[1].untestable, "there are none");
   EXPECT_DOUBLE_EQ(file_of(claim_text("", "{ above = 1 }")).claims[0].process_spread, 0.07);
+}
+
+TEST(ClaimFiles, NameTwoCasesByTheirAxes) {
+  const Claim claim =
+      file_of(claim_text("name = \"ratio\", of = { dynamics.solver = \"backward-euler\", step = "
+                         "\"0.0166\" }, to = { dynamics.solver = \"explicit-euler\", step = \"0.002\" }",
+                         "{ at_most = 1 }"))
+          .claims[0];
+  EXPECT_EQ(claim.of, (Selection{{"dynamics.solver", "backward-euler"}, {"step", "0.0166"}}));
+  EXPECT_EQ(claim.to, (Selection{{"dynamics.solver", "explicit-euler"}, {"step", "0.002"}}));
+  EXPECT_EQ(description_of(claim),
+            "frame time with dynamics.solver = backward-euler, step = 0.0166, divided by the value with "
+            "dynamics.solver = explicit-euler, step = 0.002; each case");
 }
 
 TEST(ClaimFiles, ReadEveryRelation) {
@@ -141,52 +154,60 @@ relation = { at_most = 1 }
 TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
   const std::string level = "name = \"level\"", limit = "{ at_most = 1 }";
   EXPECT_EQ(message(claim_text(level, limit)), "");
-  for (const auto& [text, wanted] : std::vector<std::pair<std::string, std::string>>{
-           {"x = 1\n",
-            ":1: the key x is unknown or has no meaning here (known here: claim, include, process_spread, "
-            "separate_processes)"},
-           {"", ": there is no [[claim]]; docs/experiments.md describes the format"},
-           {"[[claim]]\nid = 3\n", ":2: claim: id must be a string"},
-           {"[[claim]]\nstatement = \"s\"\n", ":1: claim: id = \"...\" is missing"},
-           {"[[claim]]\nid = \"a\"\n", ":1: claim a: statement = \"...\" is missing"},
-           {"[[claim]]\nid = \"a\"\nstatement = \"s\"\n",
-            ":1: claim a: rows = { experiment = \"NAME\" } or untestable = \"REASON\" is missing"},
-           {claim_text(level, "{ about = 1, tolerance = 1 }"),
-            ":6: claim c: relation: tolerance must be a fraction of the number `about`, from 0 to less "
-            "than 1"},
-           {claim_text("name = \"slope\"", limit),
-            ":5: claim c: effect: name = \"slope\" is unknown (known: level, ratio, ratio-by-phase, "
-            "elasticity, linearity, ratio-trend, share-of-cases)"},
-           {claim_text("name = \"ratio\", axis = \"layers\", of = 64", limit),
-            ":5: claim c: effect: the effect needs of = ... and to = ..., two values of the axis layers"},
-           {claim_text(level + ", axis = \"layers\"", limit),
-            ":5: claim c: effect: the key axis is unknown or has no meaning here (known here: combine, name, "
-            "per, quantity)"},
-           {claim_text(level, "{ }"),
-            ":6: claim c: relation: the relation has no limit; give at_most, at_least, below, above, between "
-            "or about"},
-           {claim_text(level, "{ at_most = 1, at_least = 0 }"),
-            ":6: claim c: relation: a claim has only one relation"},
-           {claim_text(level, "{ at_most = nan }"), ":6: claim c: relation: at_most must be a finite number"},
-           {claim_text(level, "{ between = [2, 1] }"),
-            ":6: claim c: relation: between needs two numbers, the smaller one first: between = [0.8, 1.25]"},
-           {claim_text(level, "{ about = 1 }"),
-            ":6: claim c: relation: the relation about needs the number tolerance"},
-           {claim_text(level, "\"decreasing\""),
-            ":6: claim c: \"decreasing\" needs the effect elasticity or ratio-trend"},
-           {claim_text(level, "\"smaller\""),
-            ":6: claim c: relation = \"smaller\" is unknown; give \"decreasing\", \"increasing\" or a table "
-            "such as { at_most = 0.5 }"},
-           {claim_text(level, limit, "experiment = \"own\", where = { step = 0.5 }"),
-            ":4: claim c: rows: a value in where is neither a string nor a whole number; write decimal "
-            "numbers as strings, with the digits of the experiment file"},
-           {claim_text(level, limit, "experiment = \"own\", cases = 0"),
-            ":4: claim c: rows: cases = 0 is not between 1 and 1e+06"},
-           {claim_text(level, limit) + "process_spread = 1.5\n",
-            ":7: claim c: process_spread = 1.5 is not between 0 and 1"},
-           {"process_spread = 1.5\n" + claim_text(level, limit),
-            ":1: process_spread = 1.5 is not between 0 and 1"},
-           {claim_text(level, limit) + claim_text(level, limit), ":7: two claims have the id c"}})
+  for (
+      const auto& [text, wanted] : std::vector<std::pair<std::string, std::string>>{
+          {"x = 1\n",
+           ":1: the key x is unknown or has no meaning here (known here: claim, include, process_spread, "
+           "separate_processes)"},
+          {"", ": there is no [[claim]]; docs/experiments.md describes the format"},
+          {"[[claim]]\nid = 3\n", ":2: claim: id must be a string"},
+          {"[[claim]]\nstatement = \"s\"\n", ":1: claim: id = \"...\" is missing"},
+          {"[[claim]]\nid = \"a\"\n", ":1: claim a: statement = \"...\" is missing"},
+          {"[[claim]]\nid = \"a\"\nstatement = \"s\"\n",
+           ":1: claim a: rows = { experiment = \"NAME\" } or untestable = \"REASON\" is missing"},
+          {claim_text(level, "{ about = 1, tolerance = 1 }"),
+           ":6: claim c: relation: tolerance must be a fraction of the number `about`, from 0 to less "
+           "than 1"},
+          {claim_text("name = \"slope\"", limit),
+           ":5: claim c: effect: name = \"slope\" is unknown (known: level, ratio, ratio-by-phase, "
+           "elasticity, linearity, ratio-trend, share-of-cases)"},
+          {claim_text("name = \"ratio\", of = 64, to = 16", limit),
+           ":5: claim c: effect: of = ... must be a table { AXIS = VALUE, ... }; for a single value, name its axis: "
+           "axis = \"AXIS\""},
+          {claim_text("name = \"ratio\", axis = \"layers\", of = { layers = 64 }, to = 16", limit),
+           ":5: claim c: effect: of = ... must be a value of the axis layers"},
+          {claim_text("name = \"ratio\", of = { layers = [64, 32] }, to = { layers = 16 }", limit),
+           ":5: claim c: effect: of: give one value of the axis layers"},
+          {claim_text("name = \"ratio\", axis = \"layers\", of = 64", limit),
+           ":5: claim c: effect: to = ... must be a value of the axis layers"},
+          {claim_text(level + ", axis = \"layers\"", limit),
+           ":5: claim c: effect: the key axis is unknown or has no meaning here (known here: combine, name, "
+           "per, quantity)"},
+          {claim_text(level, "{ }"),
+           ":6: claim c: relation: the relation has no limit; give at_most, at_least, below, above, between "
+           "or about"},
+          {claim_text(level, "{ at_most = 1, at_least = 0 }"),
+           ":6: claim c: relation: a claim has only one relation"},
+          {claim_text(level, "{ at_most = nan }"), ":6: claim c: relation: at_most must be a finite number"},
+          {claim_text(level, "{ between = [2, 1] }"),
+           ":6: claim c: relation: between needs two numbers, the smaller one first: between = [0.8, 1.25]"},
+          {claim_text(level, "{ about = 1 }"),
+           ":6: claim c: relation: the relation about needs the number tolerance"},
+          {claim_text(level, "\"decreasing\""),
+           ":6: claim c: \"decreasing\" needs the effect elasticity or ratio-trend"},
+          {claim_text(level, "\"smaller\""),
+           ":6: claim c: relation = \"smaller\" is unknown; give \"decreasing\", \"increasing\" or a table "
+           "such as { at_most = 0.5 }"},
+          {claim_text(level, limit, "experiment = \"own\", where = { step = 0.5 }"),
+           ":4: claim c: rows: a value in where is neither a string nor a whole number; write decimal "
+           "numbers as strings, with the digits of the experiment file"},
+          {claim_text(level, limit, "experiment = \"own\", cases = 0"),
+           ":4: claim c: rows: cases = 0 is not between 1 and 1e+06"},
+          {claim_text(level, limit) + "process_spread = 1.5\n",
+           ":7: claim c: process_spread = 1.5 is not between 0 and 1"},
+          {"process_spread = 1.5\n" + claim_text(level, limit),
+           ":1: process_spread = 1.5 is not between 0 and 1"},
+          {claim_text(level, limit) + claim_text(level, limit), ":7: two claims have the id c"}})
     EXPECT_EQ(message(text), "claims.toml" + wanted);
   EXPECT_EQ(message("[[claim]\n").substr(0, 23), "claims.toml:1: not TOML");
   for (const int wrong : {0, 1001})

@@ -43,6 +43,33 @@ TEST(Effects, RatioMatchesTheOtherAxes) {
   EXPECT_NEAR(effect_of(layers_and_models(), ratio + ", combine = \"median\""), 2.5, rounding);
 }
 
+// Two cases that differ in several axes are compared at each value of the other axes.
+TEST(Effects, RatioComparesAnyTwoCases) {
+  const std::vector<FoundRow> rows{row({{"solver", "i"}, {"step", "0.016"}, {"model", "a"}}, 12),
+                                   row({{"solver", "i"}, {"step", "0.002"}, {"model", "a"}}, 40),
+                                   row({{"solver", "e"}, {"step", "0.002"}, {"model", "a"}}, 48),
+                                   row({{"solver", "i"}, {"step", "0.016"}, {"model", "b"}}, 10),
+                                   row({{"solver", "e"}, {"step", "0.002"}, {"model", "b"}}, 20)};
+  const std::string effect =
+      "name = \"ratio\", of = { solver = \"i\", step = \"0.016\" }, to = { solver = \"e\", step = \"0.002\" }";
+  const Judged both = judged(rows, effect, "{ below = 1 }");
+  EXPECT_EQ(both.effects, 2u);
+  EXPECT_NEAR(both.least, 0.25, rounding);
+  EXPECT_NEAR(both.most, 0.5, rounding);
+  EXPECT_EQ(both.verdict, Verdict::holds);
+  EXPECT_EQ(both.decisive, "b");
+  // Without the second case of model b, only model a decides, and the case is named.
+  const Judged one = judged({rows.begin(), rows.end() - 1}, effect, "{ below = 1 }");
+  EXPECT_EQ(one.effects, 1u);
+  EXPECT_EQ(one.notes.at(0),
+            "1 left out: b-i-0.016 (there is no matching case with solver = e, step = 0.002)");
+  // A selection that names fewer axes must still select one case.
+  EXPECT_EQ(judged({rows.begin(), rows.begin() + 3},
+                   "name = \"ratio\", of = { solver = \"i\" }, to = { step = \"0.002\" }", any)
+                .verdict,
+            Verdict::untestable);
+}
+
 TEST(Effects, PhasesAreTimesOfTheSameRow) {
   FoundRow one = row({{"model", "a"}}, 60);
   one.row.samples["simulate"].event_ms = {3, 6, 9};

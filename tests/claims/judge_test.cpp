@@ -39,7 +39,7 @@ TEST(Judge, NamesTheCasesThatAreLeftOut) {
   EXPECT_EQ(one.verdict, Verdict::holds);
   ASSERT_EQ(one.notes.size(), 1u);
   EXPECT_EQ(one.notes[0],
-            "2 left out: 64-b (failed-check: psnr 40); 16-b (there is no matching case with layers 64)");
+            "2 left out: 64-b (failed-check: psnr 40); 16-b (there is no matching case with layers = 64)");
   const Judged two = judged(rows, ratio, "{ at_most = 4 }", "experiment = \"own\", cases = 2");
   EXPECT_EQ(two.verdict, Verdict::untestable);
   EXPECT_EQ(two.reason, "1 of the 2 effects that decide the claim are measured");

@@ -72,11 +72,12 @@ void plant(const Claim& claim, Row& row, double by) {
 void plant_effect(const Claim& claim, Row& row, double by) {
   if (!claim.phases.empty()) {  // one row has the times of several axis values
     for (const auto& [phase, value] : claim.phases)
-      if (value == claim.of || (claim.of.empty() && phase == "frame")) scale(row, phase, by);
+      if (claim.of.empty() ? phase == "frame" : value == claim.of.at(claim.axis)) scale(row, phase, by);
     return;
   }
   const bool slope = claim.effect == Effect::elasticity || claim.effect == Effect::ratio_trend;
-  if (!claim.of.empty() && value_at(row.axes, claim.axis) != claim.of) return;
+  for (const auto& [axis, value] : claim.of)
+    if (value_at(row.axes, axis) != value) return;
   plant(claim, row, slope ? std::pow(number_against(claim, row), std::log10(by)) : by);
 }
 

@@ -70,20 +70,33 @@ TEST_F(Reproduce, WritesOnePageAndContinues) {
   expect_has(page, {"On Tori", "A. Nobody (2001)", "Table 7", "Our tori.", "Figure 3", "(a) the factor",
                     "(b) a torus", "data:image/webp", "It is a drawing.", "1 claims are not tested"});
   expect_lacks(page, "More layers take longer");
+  // The case with 8 layers is only in the preset quick.
+  expect_has(
+      page, {">skipped</td>", "skipped: not measured with the preset smoke.", "<p class=\"answer\">Frame: "});
+  expect_has(folder.read("out/lengths.csv"), {"smoke,tori,", "smoke,mine figures,"});
   const Outcome again = done("reproduce mine --preset smoke --resume out", data);
+  expect_has(again.err, "experiment 1 of 1: tori, 1 cases; about 5 s left");
   expect_has(again.err, "1 kept from the interrupted run");
 
   // The preset quick judges the claim.
   done("reproduce mine --anonymous -o judged", data);
   const std::string judged = folder.read("judged/page/index.html");
-  expect_has(judged, {"More layers take longer", "the-paper, 7", "verdict"});
+  expect_has(judged, {"More layers take longer", "the-paper, section 7", "<tr id=\"claim-more-layers\">"});
+  expect_lacks(judged, "skipped");
 }
 
 TEST_F(Reproduce, SaysWhatItWouldRun) {
   const Outcome dry = done("reproduce --dry-run", data);
-  EXPECT_EQ(dry.out, "tori\tquick\t2\n");
-  expect_has(dry.err, "1 experiments with 2 cases, 1 figures; nothing was run");
+  EXPECT_EQ(dry.out, "tori\tquick\t2\t10 s\n") << "without a length of an earlier run, 5 s per case";
+  expect_has(dry.err, "1 experiments with 2 cases, 1 figures: about 15 s; nothing was run");
   EXPECT_FALSE(fs::exists(folder.path / "pelage-results"));
+  // The length of an earlier run, on a machine that was slower by far than this one.
+  folder.write("data/experiments/papers/lengths.csv", "quick,tori,3600,0.001\nquick,mine figures,60,0.001\n");
+  expect_has(done("reproduce --dry-run", data).err, "about 0 s; nothing was run");
+  folder.write("data/experiments/papers/lengths.csv", "quick,tori\n");
+  expect_refused(pelage("reproduce --dry-run", data),
+                 "lengths.csv:1: must be PRESET,EXPERIMENT,SECONDS,SPEED");
+  fs::remove(folder.path / "data/experiments/papers/lengths.csv");
   expect_refused(pelage("reproduce other", data), "other: no such paper; known: mine");
   const Outcome shipped = done("reproduce --dry-run --preset smoke");
   expect_has(shipped.out,

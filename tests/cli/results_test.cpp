@@ -119,6 +119,52 @@ TEST_F(Results, RowsOfDifferentInputsAreNotCompared) {
   expect_refused(pelage("compare both both"), "different inputs (scene)");
 }
 
+TEST_F(Results, AComparisonIsAlsoLatexAndAPlot) {
+  folder.write("own.toml", of_torus("layers = [4, 8]", "fur.length = 0.12"));
+  done("run own.toml -o second");
+  const Outcome outcome = done("compare first second --latex table.tex --plot change.pdf");
+  expect_has(outcome.out, {"Frame times of A and B", "layers=4", "verdict"});
+  expect_has(folder.read("table.tex"), {"\\begin{tabular}{lrrrr}", "layers=8 &"});
+  for (const char* file : {"change.pdf", "change.svg", "change.csv"})
+    EXPECT_GT(fs::file_size(folder.path / file), 0u) << file;
+  expect_refused(pelage("compare first second --plot change.png"),
+                 "--plot change.png: the name must end in .svg or .pdf");
+}
+
+// Two numbers of threads of one device are one table with an axis, and not two sets of inputs.
+TEST_F(Results, TwoNumbersOfThreadsAreAnAxis) {
+  done("run own.toml -o one", "POCL_MAX_PTHREAD_COUNT=1");
+  done("run own.toml -o two", "POCL_MAX_PTHREAD_COUNT=2");
+  const Outcome report = done("report one two -o page");
+  expect_has(report.out, "compute units");
+  EXPECT_FALSE(fs::exists(folder.path / "page/inputs-2"));
+  expect_has(folder.read("page/tables/own.csv"), ",compute_units,");
+  expect_has(folder.read("page/tables/own.tex"), "compute units");
+  fs::create_directory(folder.path / "both");
+  for (const char* one : {"one", "two"}) fs::rename(folder.path / one, folder.path / "both" / one);
+  expect_has(done("compare both --by axes.compute_units").out,
+             {"compute_units=1, ms", "compute_units=2, ms"});
+  expect_has(done("export both").out, "compute_units");
+}
+
+TEST_F(Results, AReportJudgesTheUsersClaims) {
+  folder.write(
+      "my.toml",
+      "[[claim]]\nid = \"layers\"\nstatement = \"Eight layers take less than 100 times as long as four.\"\n"
+      "rows = { experiment = \"own\" }\n"
+      "effect = { name = \"ratio\", of = { layers = 8 }, to = { layers = 4 } }\nrelation = { below = 100 }\n");
+  expect_has(done("report first -o page --claims my.toml").out, "Eight layers take less than 100 times");
+  expect_has(folder.read("page/index.html"), {"Claims of my.toml", "Eight layers take less than 100 times"});
+  expect_refused(pelage("report first -o page --claims none.toml"), "none.toml");
+}
+
+TEST_F(Results, AnAxisThatNoPlotCanShowIsRefusedBeforeTheRun) {
+  folder.write("own.toml", of_torus("layers = [4, 8]", length) + "[report]\nx = \"fur.layers\"\n");
+  expect_refused(pelage("run own.toml -o x"),
+                 "own.toml: report.x names fur.layers, which is no axis of the experiment (its axes: ");
+  EXPECT_FALSE(fs::exists(folder.path / "x"));
+}
+
 TEST_F(Results, ACopyCountsOnce) {
   fs::copy(folder.path / "first", folder.path / "copy", fs::copy_options::recursive);
   expect_has(done("report first copy first -o page").err, "2 of 2 rows are in several journals");

@@ -45,6 +45,25 @@ TEST_F(Axes, ANamedValueSetsSeveralKeys) {
   EXPECT_FLOAT_EQ(stormy.dynamics.wind.strength, 0.01f);
 }
 
+TEST_F(Axes, ASceneKeyMayVaryOverLists) {
+  const std::string file =
+      "name = \"e\"\n[axes]\nlayers = [8]\ncamera.eye = [[0.0, 0.5, 2], [0, -0.5, 2.0]]\n";
+  const Experiment e = read(file + quick);
+  const auto cases = cases_of(e, preset_of(e, "quick"));
+  ASSERT_EQ(cases.size(), 2u);
+  EXPECT_EQ(cases[0].name, "8-0.0_0.5_2");
+  EXPECT_EQ(cases[1].name, "8-0__0.5_2.0") << "_ instead of the minus sign";
+  EXPECT_EQ(cases[1].axes.at("camera.eye"), "[0, -0.5, 2.0]");
+  EXPECT_EQ(scene_of(e, cases[0]).camera.eye, glm::vec3(0, 0.5, 2));
+  EXPECT_EQ(scene_of(e, cases[1]).camera.eye, glm::vec3(0, -0.5, 2));
+  refuses(
+      "name = \"e\"\n[axes]\nlayers = [8]\nmood = [[0, 1], [1, 0]]\n" + quick,
+      "the values of axis mood must be numbers or strings; only the axis of a scene key such as camera.eye may have "
+      "lists of numbers");
+  refuses("name = \"e\"\n[axes]\ncamera.eye = [[0, 1]]\n" + quick, "camera.eye");
+  refuses("name = \"e\"\n[axes]\ncamera.eye = [[]]\n" + quick, "the values of axis camera.eye must be");
+}
+
 TEST_F(Axes, TheCommandLineMayChooseAmongTheValuesOfTheFile) {
   EXPECT_EQ(refusal(moods + storm + quick, {.axes = {{"mood", {"calm"}}}}), "accepted");
   EXPECT_EQ(refusal(moods + storm + "[mood.calm]\n[mood.fog]\ncurl.turns = 2\n" + quick,

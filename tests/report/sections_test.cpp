@@ -170,10 +170,10 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   auto rows =
       test::own_rows({{"layers", {"8", "16"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}});
   for (FoundRow& found : rows) {
-    found.row.metrics["error_rms"] = {double(found.row.case_name.size()), "lengths", "", 1.0};
-    found.row.provenance["view"] = {{"x", "fur.length"},         {"y", {"error_rms", "nothing"}},
+    found.row.metrics["error_p99"] = {double(found.row.case_name.size()), "lengths", "", 1.0};
+    found.row.provenance["view"] = {{"x", "fur.length"},         {"y", {"error_p99", "nothing"}},
                                     {"series", {"layers"}},      {"panels", {"model"}},
-                                    {"y_scale", "log"},          {"values", {"error_rms"}},
+                                    {"y_scale", "log"},          {"values", {"error_p99"}},
                                     {"columns", {"fur.length"}}, {"blocks", {"model"}}};
   }
   std::vector<std::string> notes;
@@ -182,17 +182,17 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   EXPECT_EQ(table.layout.blocks, std::vector<std::string>{"model"});
   EXPECT_EQ(table.layout.groups, std::vector<std::string>{"fur.length"});
   EXPECT_EQ(table.layout.rows, std::vector<std::string>{"layers"});
-  EXPECT_EQ(table.layout.values, std::vector<std::string>{"error_rms"});
+  EXPECT_EQ(table.layout.values, std::vector<std::string>{"error_p99"});
   ASSERT_EQ(all[0].plots.size(), 1u);
   EXPECT_EQ(all[0].plots[0].x, "fur.length");
-  EXPECT_EQ(all[0].plots[0].high, "error_rms_high");
+  EXPECT_EQ(all[0].plots[0].high, "error_p99_high");
   EXPECT_EQ(all[0].plots[0].y_scale, "log");
   ASSERT_EQ(notes.size(), 1u);
   test::expect_has(notes[0], "y names \"nothing\"");
   const auto json = nlohmann::json::parse(json_of(all[0].plots[0]));
   EXPECT_EQ(json.at("x"), "fur.length");
   EXPECT_EQ(json.at("labels").at("layers"), "{} layers");
-  for (const auto& [x, series] : {std::pair("model", "layers, fur.length"), {"error_rms", "layers"}}) {
+  for (const auto& [x, series] : {std::pair("model", "layers, fur.length"), {"error_p99", "layers"}}) {
     rows.back().row.provenance["view"] = {{"x", x}, {"series", {"layers"}}};
     EXPECT_EQ(joined(sections(rows).at(0).plots.at(0).series), series) << x;
   }

@@ -99,6 +99,10 @@ TEST(Pivot, ShowsEveryLine) {
 }
 
 TEST(Formats, AsText) {
+  Table answered = cases();
+  answered.answer = "A result.";
+  EXPECT_EQ(test::lines_of(text_of(answered))[1], "A result.");
+  test::expect_lacks(latex_of(answered), "A result.");
   const std::string text = text_of(cases());
   const auto lines = test::lines_of(text);
   ASSERT_EQ(lines.size(), 12u) << text;
@@ -123,8 +127,9 @@ TEST(Formats, AsCsv) {
 
 TEST(Formats, AsLatex) {
   const std::string tex = latex_of(cases());
-  test::expect_has(tex, {"\\toprule", "\\midrule", "\\bottomrule", "$800 \\times 600$", "cow\\tnote{a}",
-                         "$<$stand-in$>$ \\& more", "100\\%"});
+  test::expect_has(
+      tex, {"\\begin{adjustbox}{max width=\\columnwidth}", "\\end{adjustbox}", "\\toprule", "\\midrule",
+            "\\bottomrule", "$800 \\times 600$", "cow\\tnote{a}", "$<$stand-in$>$ \\& more", "100\\%"});
   EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
   EXPECT_EQ(latex_text("a_b<c&d%"), "a\\_b$<$c\\&d\\%");
 }

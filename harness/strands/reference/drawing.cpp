@@ -168,6 +168,11 @@ class StrandLight {
   double length_ = 0;
 };
 
+/// Returns the part of the key light that reaches a point, 1 without a map.
+double part_of_key(const Look& look, const std::optional<ShadowMap>& shadow, Vec point) {
+  return shadow ? key_light(look, shadow->view, shadow->map, point) : 1;
+}
+
 std::vector<Vertex> vertices_of(const Camera& camera, const Look& look,
                                 const std::optional<ShadowMap>& shadow_map, const DrawnStrand& strand,
                                 std::uint32_t number) {
@@ -187,8 +192,7 @@ std::vector<Vertex> vertices_of(const Camera& camera, const Look& look,
     vertex.half = half_width(look, strand, t) / (double(camera.pixel) * v.z);
     vertex.depth = v.z;
     vertex.alpha = alpha_of(look, strand, number, t);
-    const double lit = shadow_map ? key_light(look, shadow_map->view, shadow_map->map, object.at(t)) : 1;
-    vertex.colour = light.colour(t, lit);
+    vertex.colour = light.colour(t, part_of_key(look, shadow_map, object.at(t)));
     vertices.push_back(vertex);
   }
   return vertices;
@@ -321,18 +325,21 @@ std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
   return order;
 }
 
-glm::dvec3 unshadowed_colour(const Camera& camera, const Look& look, const DrawnStrand& strand,
-                             std::uint32_t number, double t) {
-  return StrandLight(camera, look, strand, number).colour(t, 1);
+std::optional<ShadowMap> shadow_map_of(const Look& look, const std::vector<DrawnStrand>& strands) {
+  if (look.shadow.reading == Shadow::none) return {};
+  const LightView view = light_view(look);
+  return ShadowMap{view, opacity_map(look, view, strands)};
+}
+
+glm::dvec3 strand_colour(const Camera& camera, const Look& look, const std::optional<ShadowMap>& shadow,
+                         const DrawnStrand& strand, std::uint32_t number, double t) {
+  return StrandLight(camera, look, strand, number)
+      .colour(t, part_of_key(look, shadow, curve_of(strand).at(t)));
 }
 
 Picture draw(const Camera& camera, const Look& look, const std::vector<DrawnStrand>& strands,
              const std::vector<Entry>& order, const SkinSurface* skin, std::uint64_t* fragments) {
-  std::optional<ShadowMap> shadow_map;
-  if (look.shadow.reading != Shadow::none) {
-    const LightView view = light_view(look);
-    shadow_map = ShadowMap{view, opacity_map(look, view, strands)};
-  }
+  const std::optional<ShadowMap> shadow_map = shadow_map_of(look, strands);
   std::vector<SkinPixel> below;
   if (skin) below = skin_pixels(camera, look, *skin, shadow_map ? &*shadow_map : nullptr);
   Canvas canvas(camera.width, camera.height, std::move(below));

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "harness/picture/picture.hpp"
@@ -54,10 +55,6 @@ glm::dvec3 fill_light(const Look& look, glm::dvec3 n);
 Picture draw(const Camera& camera, const Look& look, const std::vector<DrawnStrand>& strands,
              const std::vector<Entry>& order, const SkinSurface* skin = nullptr,
              std::uint64_t* fragments = nullptr);
-
-/// Returns the colour of strand `number` at the parameter t of its curve, if no strand shadows this place.
-glm::dvec3 unshadowed_colour(const Camera& camera, const Look& look, const DrawnStrand& strand,
-                             std::uint32_t number, double t);
 
 /// The curve of one strand.
 struct Curve {
@@ -122,6 +119,13 @@ struct ShadowMap {
   LightView view;
   OpacityMap map;
 };
+
+/// Returns the opacity map of all strands; nothing if look.shadow.reading is `none`.
+std::optional<ShadowMap> shadow_map_of(const Look& look, const std::vector<DrawnStrand>& strands);
+
+/// Returns the colour of strand `number` at the parameter t of its curve.
+glm::dvec3 strand_colour(const Camera& camera, const Look& look, const std::optional<ShadowMap>& shadow,
+                         const DrawnStrand& strand, std::uint32_t number, double t);
 
 /// What a pixel shows of the skin.
 struct SkinPixel {

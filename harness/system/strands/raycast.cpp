@@ -42,6 +42,7 @@ RaycastResult raycast_strands(const StrandInput& input) {
     number.push_back(entry.strand);
   }
   const Look& look = input.look;
+  const std::optional<reference::ShadowMap> shadow = reference::shadow_map_of(look, all_curves);
   RaycastScene cast;
   cast.camera = input.camera;
   cast.background = look.background;
@@ -50,12 +51,12 @@ RaycastResult raycast_strands(const StrandInput& input) {
   };
   cast.strand_paint = [&](std::uint32_t strand, float t) -> Paint {
     const DrawnStrand& drawn = curves[strand];
-    return {glm::vec3(reference::unshadowed_colour(input.camera, look, drawn, number[strand], double(t))),
+    return {glm::vec3(reference::strand_colour(input.camera, look, shadow, drawn, number[strand], double(t))),
             float(reference::alpha_of(look, drawn, number[strand], double(t)))};
   };
   std::vector<glm::dvec3> skin_colour;
   if (input.skin) {
-    skin_colour = reference::skin_colours(look, *input.skin, nullptr);
+    skin_colour = reference::skin_colours(look, *input.skin, shadow ? &*shadow : nullptr);
     cast.skin = input.mesh;
     cast.skin_paint = [&](std::uint32_t triangle, glm::vec2 weight) -> Paint {
       const glm::uvec3 t = input.mesh->triangle[triangle];

@@ -1,0 +1,23 @@
+// The first lines of a section: what its rows say in one sentence, and which choice is the cheapest for a
+// tolerance.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/report/cells.hpp"
+#include "harness/table/table.hpp"
+
+namespace pelage {
+
+/// Returns one sentence of result, for instance "OpenCL is 8.79 times as fast as OpenGL (geometric mean of 32
+/// cases, 5.18 to 17.6)."; "" without times. `cells` are of one experiment and device.
+std::string answer_of(const std::vector<Cell>& cells);
+
+/// Returns a table with the cheapest case for each limit of an error or of a likeness of pictures, for
+/// experiments that measure one (a metric such as error_rms or baseline_ssim that the view names, or any of
+/// them if there is no view) beside times; nothing for others. There is one line for each limit and
+/// combination of values of the circumstances: View::panels, or model, size, distance and keys of the camera.
+std::optional<Table> choices_of(std::vector<Cell> cells);
+
+}  // namespace pelage
