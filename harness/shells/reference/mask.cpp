@@ -330,22 +330,25 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   return result;
 }
 
-Discards discards(const FrameInput& input, int frames) {
+Discards discards(const FrameInput& input, int frames, std::size_t most) {
   const Mask mask = wetness_mask(input, frames);
   const int layers = input.scene.fur.layers;
   std::vector<Discards> row(std::size_t(mask.size));
   std::vector<double> wet(row.size());
+  // Each row of texels has four positions in each texel, in all layers. Of these, every `step`-th is visited,
+  // beginning with another one in each row. The step is odd, so that all layers have their turn.
+  const std::size_t in_row = 4 * std::size_t(mask.size) * std::size_t(layers);
+  const std::size_t step = in_row * row.size() / most | 1;
   for_each_index(row.size(), 4, [&](std::size_t j) {
-    for (int i = 0; i < 4 * mask.size; ++i) {  // four positions in each texel
+    for (std::size_t m = 7919 * j % step; m < in_row; m += step) {
+      const int i = int(m / std::size_t(layers));
       const glm::dvec2 in_texel(.25 + .5 * (i % 2), .25 + .5 * (i / 2 % 2));
       const glm::dvec2 uv = (glm::dvec2(i / 4, double(j)) + in_texel) / double(mask.size);
       if (!(mask.nearest(uv).wetness > 0.0)) continue;
-      for (int n = 0; n < layers; ++n) {
-        const Displacement found = clump_displacement(input, mask, uv, n);
-        ++wet[j];
-        row[j].outside += found.outside;
-        row[j].dry += found.dry && !found.outside;
-      }
+      const Displacement found = clump_displacement(input, mask, uv, int(m % std::size_t(layers)));
+      ++wet[j];
+      row[j].outside += found.outside;
+      row[j].dry += found.dry && !found.outside;
     }
   });
   Discards all;

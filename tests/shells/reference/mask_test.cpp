@@ -182,16 +182,19 @@ TEST(ReferenceClump, TheRateMovesThreeVertices) {
 
 // Only the half texel around a disc is outside it, so the share halves as the texels do.
 TEST(ReferenceClump, DiscardsAreTheTwoTestsOfAlgorithm2) {
-  const auto shares = [](int size, float gain) {
+  const auto shares = [](int size, float gain, std::size_t most = 1'000'000'000) {
     FrameInput input = with({droplet(.5f, .5f, .3f, .6f)}, size);
     input.scene.clump.cells = "literal";
     input.scene.clump.gain = gain;
-    return discards(input);
+    return discards(input, 1, most);
   };
   const Discards coarse = shares(64, 1), fine = shares(128, 1);
   EXPECT_GT(coarse.outside, .003);
   EXPECT_LT(coarse.outside, .03);
   EXPECT_NEAR(fine.outside / coarse.outside, .5, .1);
+  const Discards sampled = shares(128, 1, 50'000);  // of a million places
+  EXPECT_NEAR(sampled.outside, fine.outside, .1 * fine.outside);
+  EXPECT_NEAR(sampled.dry, fine.dry, .05 * fine.dry);
   EXPECT_GT(fine.dry, .01);  // Eq. 5 with r in UV moves the fur at the border of the disc by up to 5% of r
   EXPECT_LT(fine.dry, .2);
   EXPECT_GT(shares(64, 256).dry, 2 * fine.dry);
