@@ -1,6 +1,7 @@
 #include "harness/claims/cells.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,16 @@ std::map<std::string, std::string> axes_of(const Row& row) {
   return axes;
 }
 
+bool selects(const Selection& selection, const std::map<std::string, std::string>& axes) {
+  return std::ranges::all_of(selection,
+                             [&](const auto& one) { return value_at(axes, one.first) == one.second; });
+}
+
 bool covers(const Claim& claim, const Row& row) {
   const auto axes = axes_of(row);
+  // A ratio uses no other case than its two. With phases, one row has the times of both.
+  if (!claim.of.empty() && claim.phases.empty() && !selects(claim.of, axes) && !selects(claim.to, axes))
+    return false;
   return (row.overrides.empty() || claim.overridden) &&
          std::all_of(claim.where.begin(), claim.where.end(), [&axes](const auto& condition) {
            const auto& [axis, values] = condition;
@@ -98,6 +107,30 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
   }
   std::erase_if(result.cells, [](const Cell& cell) { return cell.processes.empty(); });
   return result;
+}
+
+std::vector<std::string> unknown_values(const Claim& claim, const std::vector<const Row*>& rows) {
+  std::map<std::string, std::set<std::string>> wanted, found;
+  for (const auto& [axis, values] : claim.where) wanted[axis].insert(values.begin(), values.end());
+  if (claim.phases.empty())
+    for (const Selection* selection : {&claim.of, &claim.to})
+      for (const auto& [axis, value] : *selection) wanted[axis].insert(value);
+  for (const Row* row : rows) {
+    for (const auto& [axis, value] : axes_of(*row)) found[axis].insert(value);
+    found["experiment"].insert(row->experiment);
+  }
+  std::vector<std::string> texts;
+  for (const auto& [axis, values] : wanted) {
+    if (!found.contains(axis)) {
+      texts.push_back(fmt::format("no row has the axis {}", axis));
+      continue;
+    }
+    for (const std::string& value : values)
+      if (!found[axis].contains(value))
+        texts.push_back(
+            fmt::format("no row has {} = {} (the rows have {})", axis, value, fmt::join(found[axis], ", ")));
+  }
+  return texts;
 }
 
 Drawing::Drawing(const Claim& claim, const Cell& cell, double spread, int separate_processes)

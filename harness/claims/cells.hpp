@@ -37,6 +37,10 @@ struct Cells {
 /// device and host. All rows of a case must have been measured with the same inputs (input_sets()).
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows);
 
+/// Returns one sentence for each axis value in Claim::where, `of` and `to` that no row has, and for each axis
+/// that no row has.
+std::vector<std::string> unknown_values(const Claim& claim, const std::vector<const Row*>& rows);
+
 /// The quantity of a cell. `frame` is the frame time in ms; only the effect ratio_by_phase uses it.
 struct Value {
   double value, frame;

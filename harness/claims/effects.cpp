@@ -54,7 +54,7 @@ std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std:
   return groups;
 }
 
-bool selects(const Selection& selection, const Cell& cell) {
+bool is_of(const Selection& selection, const Cell& cell) {
   return std::ranges::all_of(selection,
                              [&](const auto& one) { return value_at(cell.axes, one.first) == one.second; });
 }
@@ -67,8 +67,8 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
                                                            std::vector<std::string>& left_out) {
   Group of, to;
   for (const std::size_t i : group) {
-    if (selects(claim.of, cells[i])) of.push_back(i);
-    if (selects(claim.to, cells[i])) to.push_back(i);
+    if (is_of(claim.of, cells[i])) of.push_back(i);
+    if (is_of(claim.to, cells[i])) to.push_back(i);
   }
   if (of.size() == 1 && to.size() == 1) return std::pair(of.front(), to.front());
   if (std::max(of.size(), to.size()) > 1)

@@ -152,8 +152,9 @@ void explain_undecided(Judged& judged, const Decision& without_spread, std::size
         judged.processes, wanted, 100 * judged.claim.process_spread, wanted);
 }
 
-void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
+void judge_rows(const ClaimFile& file, Judged& judged, const std::vector<const Row*>& rows) {
   const Claim& claim = judged.claim;
+  const Cells cells = cells_of(claim, rows);
   std::vector<std::string> left_out = cells.left_out;
   const std::vector<Part> parts = parts_of(claim, cells.cells, left_out);
   const std::size_t count = claim.effect == Effect::share_of_cases ? cells.cells.size() : parts.size();
@@ -165,7 +166,10 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
   if (count < claim.cases) {
     judged.reason =
         fmt::format("{} of the {} effects that decide the claim are measured", count, claim.cases);
-    if (cells.cells.empty() && left_out.empty()) judged.reason += "; no row has the axis values of the claim";
+    const std::vector<std::string> unknown = unknown_values(claim, rows);
+    for (const std::string& text : unknown) judged.reason += "; " + text;
+    if (unknown.empty() && cells.cells.empty() && left_out.empty())
+      judged.reason += "; no row has all axis values of the claim";
     return;
   }
   if (claim.combine == Combine::every && parts.size() > most_effects) {
@@ -237,7 +241,7 @@ std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& ro
       judged.claim = claim;
       judged.device = machine.first;
       judged.host = machine.second;
-      judge_cells(file, judged, cells_of(claim, own));
+      judge_rows(file, judged, own);
     }
     if (result.size() == before) result.push_back(without_rows(claim));
   }

@@ -94,13 +94,8 @@ std::string details_of(const Judged& one) {
   std::string text;
   if (!one.claim.test.empty()) text += fmt::format("    test: {}\n", one.claim.test);
   if (one.value) {
-    text += fmt::format("    {}: {}", description_of(one.claim), effect_text(one));
-    if (!one.decisive.empty())
-      text += fmt::format(" for {}; {} effects from {} to {}", one.decisive, one.effects,
-                          number_text(one.least), number_text(one.most));
-    else if (one.effects > 1)
-      text += fmt::format(", from {} effects", one.effects);
-    text += fmt::format("; the claim: {}", one.claim.relation);
+    text += fmt::format("    {}: {}{}; the claim: {}", description_of(one.claim), effect_text(one),
+                        effects_text(one), one.claim.relation);
     if (one.paper_value)
       text += fmt::format("; the paper's numbers: {}", interval_text(*one.paper_value, one.paper_interval));
     text += "\n";
@@ -118,6 +113,13 @@ std::string source_of(const Claim& claim) {
   std::string text = claim.paper + (claim.paper.empty() || section.empty() ? "" : ", ") + section;
   if (!claim.reading.empty()) text += fmt::format("{}reading {}", text.empty() ? "" : ", ", claim.reading);
   return text.empty() ? "ours" : text;
+}
+
+std::string effects_text(const Judged& judged) {
+  if (!judged.decisive.empty())
+    return fmt::format(" for {}; {} effects from {} to {}", judged.decisive, judged.effects,
+                       number_text(judged.least), number_text(judged.most));
+  return judged.effects > 1 ? fmt::format(", from {} effects", judged.effects) : "";
 }
 
 std::string effect_text(const Judged& judged) {

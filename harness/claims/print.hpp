@@ -28,4 +28,8 @@ std::string source_of(const Claim& claim);
 /// Returns the effect and its interval as text, for instance "0.309 [0.298, 0.321]"; "" without an effect.
 std::string effect_text(const Judged& judged);
 
+/// Returns which case decides and the range of all effects: " for torus; 3 effects from 0.2 to 0.8"; "" for a
+/// single effect.
+std::string effects_text(const Judged& judged);
+
 }  // namespace pelage::claims

@@ -145,7 +145,13 @@ int compare(const CompareOptions& options) {
   const std::vector<Cell> a = timed_cells(options.a, options.phase);
   const std::vector<Cell> b = one_set ? std::vector<Cell>() : timed_cells(options.b, options.phase);
   const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, limits);
-  const Table table = comparison_table(pairs, by);
+  // The last part of the path names a set of results.
+  const auto name = [](const std::string& path, const char* otherwise) {
+    const std::string last = std::filesystem::weakly_canonical(path).filename().string();
+    return path.empty() || last.empty() ? otherwise : last;
+  };
+  const Table table = one_set ? comparison_table(pairs, by)
+                              : comparison_table(pairs, by, name(options.a, "A"), name(options.b, "B"));
   print_pairs(pairs, table, options);
   if (!options.latex.empty()) write_text_atomically(options.latex, latex_of(table));
   if (!options.plot.empty()) draw(table, options.plot);

@@ -83,8 +83,9 @@ std::vector<Step> steps_of(const std::vector<PaperPlan>& plans, const claims::Cl
                            const ReproduceOptions& options) {
   std::vector<Step> steps;
   std::set<std::string> names;
-  for (const PaperPlan& plan : plans)
-    for (const std::string& name : experiments_of(plan, claimed(claims, plan)))
+  for (const PaperPlan& plan : plans)  // the preset smoke tests no claim
+    for (const std::string& name :
+         experiments_of(plan, options.smoke() ? std::vector<std::string>() : claimed(claims, plan)))
       if (names.insert(name).second) steps.push_back(step_of(name, options));
   return steps;
 }
@@ -240,9 +241,13 @@ int print_steps(const ReproduceOptions& options, const std::vector<PaperPlan>& p
   double seconds = figures_length(lengths, options, plans, speed);
   std::size_t cases = 0, figures = 0;
   for (const PaperPlan& plan : plans) figures += plan.figures.size();
+  fmt::print("experiment\tpreset\tcases\tlength\n");
   for (const Step& step : steps) {
     const double own = lengths.of(options.preset, step.experiment, step.cases, speed);
-    fmt::print("{}\t{}\t{}\t{}\n", step.experiment, step.preset, step.cases, length_text(own));
+    std::string preset = step.preset;
+    for (const std::string& option : step.options)
+      if (option != "--axis") preset += ", " + option;
+    fmt::print("{}\t{}\t{}\t{}\n", step.experiment, preset, step.cases, length_text(own));
     cases += step.cases;
     seconds += own;
   }

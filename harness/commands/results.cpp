@@ -121,15 +121,14 @@ struct ReportOptions {
 /// Replaces the view (table [report] of the experiment file) in the rows of an experiment by the view in
 /// `file`. Throws InputError if no row belongs to the experiment in `file`.
 void use_view(std::vector<FoundRow>& rows, const std::string& file) {
-  const Experiment experiment = read_experiment(experiment_file(file));
+  const auto [name, view] = read_view_of(experiment_file(file));
   bool any = false;
   for (FoundRow& found : rows) {
-    if (found.row.experiment != experiment.name) continue;
-    found.row.provenance["view"] = to_json(experiment.view);
+    if (found.row.experiment != name) continue;
+    found.row.provenance["view"] = to_json(view);
     any = true;
   }
-  if (!any)
-    throw InputError(fmt::format("--view {}: no row belongs to the experiment {}", file, experiment.name));
+  if (!any) throw InputError(fmt::format("--view {}: no row belongs to the experiment {}", file, name));
 }
 
 /// Prints the testable claims and their verdicts, and the number of the untestable claims.

@@ -178,7 +178,9 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
 std::string told(const Row& row) {
   if (row.status != Status::ok) return fmt::format("{}: {}", to_text(row.status), row.reason);
   const double milliseconds = median(frame_ms(row));
-  std::string text = fmt::format("ok, {:.2f} ms, {:.1f} fps", milliseconds, 1000 / milliseconds);
+  const std::string sample = sample_of(provenance_text(row, "pipeline"));
+  std::string text = fmt::format("ok, {:.2f} ms", milliseconds);
+  text += sample == "frame" ? fmt::format(", {:.1f} fps", 1000 / milliseconds) : fmt::format(" ({})", sample);
   if (const auto ratio = row.metrics.find("opengl_ratio"); ratio != row.metrics.end())
     text += fmt::format(", {:.2f}{} times OpenGL", ratio->second.value, interval_text(ratio->second));
   return text;

@@ -41,8 +41,7 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
 
 /// Returns an axis value as a part of a file name: of a mesh file the stem, unless another value of the axis
 /// has the same, "0.7_1_0" of the list [0.7, 1, 0], and '_' for all characters except letters, digits, '.'
-/// and
-/// '_'.
+/// and '_'.
 std::string fit_for_a_name(const Axis& axis, const std::string& value) {
   std::string text = value;
   if (axis.key == "model") {

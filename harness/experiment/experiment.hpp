@@ -123,6 +123,9 @@ Metric published_figure(const std::string& text, const std::string& unit);
 /// permitted values.
 Experiment read_experiment(const std::filesystem::path& file);
 
+/// Reads `name` and the table [report] of an experiment file, which needs no other key.
+std::pair<std::string, View> read_view_of(const std::filesystem::path& file);
+
 /// Returns the path of an experiment file, given as a name that `pelage list` shows or a path that ends in
 /// .toml. The InputError for an unknown name lists the known ones.
 std::filesystem::path experiment_file(const std::string& name_or_file);

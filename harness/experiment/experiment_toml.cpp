@@ -309,6 +309,15 @@ Metric published_figure(const std::string& text, const std::string& unit) {
       fmt::format("'{}' is not a published figure; write for instance 267, < 1, ~ 30 or 20..30", text));
 }
 
+std::pair<std::string, View> read_view_of(const fs::path& file) {
+  const toml::table table = read_toml(file);
+  TomlTable in(file, table, "");
+  const std::string name = in.required_text("name");
+  const toml::table* report = in.table("report");
+  if (!report) in.refuse("report", "there is no table [report]");
+  return {name, read_view(file, *report)};
+}
+
 Experiment read_experiment(const fs::path& file) {
   const std::string text = toml_text_of(file);
   const toml::table table = parse_toml(text, file.string());

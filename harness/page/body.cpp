@@ -78,7 +78,7 @@ void add_rows(Body& body, const std::vector<Report>& reports) {
   body.remark("A click on a row shows its provenance, checks and raw samples.");
   body.add(
       "<p class=\"scripted\"><label>Filter <input id=\"filter\" type=\"search\" autocomplete=\"off\" placeholder=\"part of a name\"></label> <span id=\"shown\" class=\"soft\" role=\"status\"></span></p>\n"
-      "<div class=\"wide tall\"><table id=\"rows\">\n<thead><tr><th>experiment</th><th>case</th><th>variant</th><th>status</th><th>frame, ms</th><th>samples</th><th>time (UTC)</th></tr></thead>\n"
+      "<div class=\"wide tall\"><table id=\"rows\">\n<thead><tr><th>experiment</th><th>case</th><th>variant</th><th>status</th><th>time, ms</th><th>samples</th><th>time (UTC)</th></tr></thead>\n"
       "<tbody>\n");
   std::size_t index = 0;
   for (const Report& report : reports)

@@ -89,10 +89,11 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
         to_text(one.verdict), html_text(one.claim.statement),
         details.empty() ? "" : fmt::format("<br><span class=\"soft\">{}</span>", html_text(details)),
         one.value ? fmt::format("{:.6g}", *one.value) : "",
-        one.value ? fmt::format("{}<br><span class=\"soft\">{}</span>", html_text(claims::effect_text(one)),
+        one.value ? fmt::format("{}<br><span class=\"soft\">{}</span>",
+                                html_text(claims::effect_text(one) + claims::effects_text(one)),
                                 html_text(claims::description_of(one.claim)))
-                  : "–",
-        one.value ? html_text(one.claim.relation) : "–", html_text(claims::source_of(one.claim)),
+                  : "-",
+        one.value ? html_text(one.claim.relation) : "-", html_text(claims::source_of(one.claim)),
         html_text(one.claim.id)));
   }
   body.add("</tbody></table></div>\n");

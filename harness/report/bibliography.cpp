@@ -107,7 +107,8 @@ std::string provenance_of(const std::vector<FoundRow>& rows) {
       "bad_input",   "mesh_warnings", "picture_hash", "settings"};
   std::map<std::pair<std::string, std::string>, std::vector<const FoundRow*>> runs;
   for (const FoundRow& found : rows)
-    runs[{found.row.run_id, found.journal.filename().string()}].push_back(&found);
+    if (found.row.status != Status::skipped)
+      runs[{found.row.run_id, found.journal.filename().string()}].push_back(&found);
   std::string text;
   for (const auto& [run, members] : runs) {
     text += fmt::format("run {} ({}, {} rows)\n", run.first, run.second, members.size());

@@ -134,14 +134,27 @@ std::vector<std::string> value_remarks(const std::vector<std::string>& values, c
 
 std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::string& stem,
                                    const Sources& sources) {
-  const View view = view_of(cells);
+  View view = view_of(cells);
+  const bool own_view = view != View{};
+  // Without a view, an experiment that measures an error or a likeness shows it beside the time, and draws
+  // it.
+  if (const std::vector<std::string> qualities = qualities_of(cells); !own_view && !qualities.empty()) {
+    view.values = {"median_ms"};
+    view.values.insert(view.values.end(), qualities.begin(), qualities.end());
+    view.y = view.values;
+    if (qualities.front().starts_with("error")) {
+      view.x = "median_ms";
+      view.y = qualities;
+      view.x_scale = view.y_scale = "log";
+    }
+  }
   std::set<std::string> variants, others;
   for (const Cell& c : cells) {
     variants.insert(c.variant);
     others.insert(name_of(c));
   }
   const bool about_variants =
-      view == View{} && variants.size() >= fewest_variants && others.size() <= most_groups;
+      !own_view && view == View{} && variants.size() >= fewest_variants && others.size() <= most_groups;
   Section section = about_variants ? of_variants(cells, stem, sources) : of_cases(cells, view, stem, sources);
   Table& table = section.table;
   for (const std::string& name : table.layout.values) show_interval(table, name);

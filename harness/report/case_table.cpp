@@ -97,6 +97,9 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
       const std::string heading = unit.empty() || unit == name ? own : fmt::format("{}, {}", own, unit);
       columns.push_back({{column, heading}, [name, part](const Cell& c) {
                            const Metric* found = c.metric(name);
+                           // The cell of a table that no run has measured (`pelage reproduce --preset
+                           // smoke`).
+                           if (c.status == Status::skipped) return Value{"", "skipped", c.reason, "", true};
                            if (c.status != Status::ok || !found) return number_value({});
                            const std::optional<double> number = part(*found);
                            if (found->unit == "dB" && number && *number >= decibels_of_equal_pictures)

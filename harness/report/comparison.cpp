@@ -202,23 +202,25 @@ std::string percent(double fraction) {
 
 }  // namespace
 
-Table comparison_table(const std::vector<Pair>& pairs, const CompareBy& by) {
+Table comparison_table(const std::vector<Pair>& pairs, const CompareBy& by, const std::string& a,
+                       const std::string& b) {
   const bool one = std::ranges::all_of(
       pairs, [&](const Pair& p) { return p.a == pairs.front().a && p.b == pairs.front().b; });
   const std::string key = by.text.starts_with("axes.") ? by.text.substr(5) : by.text;
-  const auto heading = [&](const char* side, const std::string& value) {
+  const auto heading = [&](const std::string& side, const std::string& value) {
     if (!one || value.empty()) return fmt::format("{}, ms", side);
     return key == "device" || key == "variant" ? fmt::format("{}, ms", value)
                                                : fmt::format("{}={}, ms", key, value);
   };
   Table table;
-  table.title = by.text.empty() ? "Frame times of A and B" : fmt::format("Frame times by {}", key);
+  table.title =
+      by.text.empty() ? fmt::format("Frame times of {} and {}", a, b) : fmt::format("Frame times by {}", key);
   table.stem = "comparison";
   table.columns = {{"case", "case"},
                    {"a", key + " A"},
                    {"b", key + " B"},
-                   {"a_ms", heading("A", pairs.front().a)},
-                   {"b_ms", heading("B", pairs.front().b)},
+                   {"a_ms", heading(a, pairs.front().a)},
+                   {"b_ms", heading(b, pairs.front().b)},
                    {"change", "change"},
                    {"change_low", "low"},
                    {"change_high", "high"},
@@ -255,12 +257,15 @@ PlotSpec comparison_plot(const Table& table) {
   plot.stem = table.stem;
   plot.x = "case";
   plot.y = "change";
-  plot.y_label = "change of the time, %";
+  const auto side = [&](const char* column) {
+    const std::string heading = table.columns[std::size_t(column_of(table, column))].heading;
+    return heading.substr(0, heading.rfind(", ms"));
+  };
+  plot.y_label = fmt::format("change of the time from\n{} to {}, %", side("a_ms"), side("b_ms"));
   plot.low = "change_low";
   plot.high = "change_high";
   plot.guide = 0;
   plot.bars = true;
-  plot.note = table.subtitle;
   if (std::ranges::count(table.layout.rows, "a") > 0) plot.series = {"a", "b"};
   return plot;
 }

@@ -61,8 +61,9 @@ std::string_view to_text(Verdict verdict);
 
 /// Returns a table with one line per pair: both times, the change with its interval, and the verdict. The
 /// subtitle contains the properties that all pairs have in common. `pairs` is a result of compare_cells() and
-/// not empty.
-Table comparison_table(const std::vector<Pair>& pairs, const CompareBy& by);
+/// not empty. `a` and `b` are names of the two sets of results, if there are two.
+Table comparison_table(const std::vector<Pair>& pairs, const CompareBy& by, const std::string& a = "A",
+                       const std::string& b = "B");
 
 /// Returns a plot of the changes in a comparison_table().
 PlotSpec comparison_plot(const Table& table);

@@ -11,6 +11,8 @@
 #include "harness/isolated/isolated.hpp"
 #include "harness/measure/provenance.hpp"
 #include "harness/nearest_name.hpp"
+#include "harness/record/device_settings.hpp"
+#include "harness/report/answer.hpp"
 #include "harness/report/case_table.hpp"
 
 namespace pelage {
@@ -102,7 +104,9 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
     }
   } else {
     Names numeric, words;
-    for (const std::string& key : keys) (is_numeric(table, key) ? numeric : words).push_back(key);
+    // The settings of a device are lines beside each other, as names are.
+    for (const std::string& key : keys)
+      (is_numeric(table, key) && !is_device_setting(key) ? numeric : words).push_back(key);
     Names rest = numeric;
     plot.x = take_largest(table, rest);
     // If x has fewer than three values, each series has at most two points. Many such short series are hard
@@ -170,6 +174,7 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
     if (y.ends_with("_ms") && !plot.y_label.ends_with(", ms")) plot.y_label += ", ms";
     plot.y_scale = view.y_scale.empty() ? scale_of(table, y) : view.y_scale;
     if (y == "frame_over_baseline") plot.y_label = "frame time / frame time of the baseline", plot.guide = 1;
+    if (std::ranges::count(qualities_of(cells), y) > 0) plot.limits = told_limits(y);
     if (plot.y_label.ends_with(", dB")) plot.y_scale = "linear";  // decibels are logarithms already
     if (has_column(table, y + "_low")) plot.low = y + "_low", plot.high = y + "_high";
     plot.title = fmt::format("{} against {}: {}", plot.y_label, plot.x_label, table.subtitle);
@@ -189,6 +194,7 @@ std::string json_of(const PlotSpec& plot) {
     json["published"] = {{"column", plot.published}, {"label", plot.published_label}};
   if (plot.bars) json["bars"] = true;
   if (plot.guide) json["guide"] = *plot.guide;
+  if (!plot.limits.empty()) json["limits"] = plot.limits;
   return json.dump(2) + "\n";
 }
 

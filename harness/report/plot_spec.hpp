@@ -27,6 +27,7 @@ struct PlotSpec {
   std::string published, published_label;
   bool bars = false;                                      ///< bars instead of points, if x has categories
   std::optional<double> guide;                            ///< y of a horizontal reference line
+  std::vector<double> limits;                             ///< y of dotted lines
   std::map<std::string, std::vector<std::string>> order;  ///< column -> its values in order
   std::map<std::string, std::string> labels;              ///< column -> format of its values: "{} layers"
   std::string note;                                       ///< text above the panels, such as the device

@@ -11,7 +11,7 @@ namespace {
 /// Returns a "td" element. The page sorts a table by the attribute data-sort of its cells, or else by their
 /// text. data-cell contains Value::cell.
 std::string cell_of(const std::optional<Value>& value) {
-  if (!value) return "<td>–</td>";
+  if (!value) return "<td>-</td>";
   std::string attributes;
   if (value->failed) attributes += " class=\"bad\"";
   if (!value->hint.empty()) attributes += fmt::format(" title=\"{}\"", html_text(value->hint));

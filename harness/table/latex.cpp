@@ -58,6 +58,9 @@ std::string latex_text(const std::string& text) {
                                                         {'$', "\\$"},
                                                         {'#', "\\#"},
                                                         {'_', "\\_"},
+                                                        // At the beginning of a row, [ would be an option of
+                                                        // the command before it.
+                                                        {'[', "{[}"},
                                                         {'{', "\\{"},
                                                         {'}', "\\}"},
                                                         {'<', "$<$"},

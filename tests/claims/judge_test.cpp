@@ -30,6 +30,24 @@ TEST(Judge, UsesOnlyTheRowsOfTheClaim) {
       << "the overridden key is an axis, so that the case has no partner";
 }
 
+// A value that no row has is named, and cases that are neither `of` nor `to` give no notes.
+TEST(Judge, NamesValuesThatNoRowHas) {
+  std::vector<FoundRow> rows = layers_and_models();
+  const auto reason = [&](const std::string& effect, const std::string& which = own) {
+    return judged(rows, effect, "{ at_most = 4 }", which).reason;
+  };
+  EXPECT_EQ(
+      reason("name = \"ratio\", of = { layers = 65 }, to = { layres = 16 }"),
+      "0 of the 1 effects that decide the claim are measured; no row has layers = 65 (the rows have 16, 64); no "
+      "row has the axis layres");
+  pelage::test::expect_has(reason("name = \"level\"", "experiment = \"own\", where = { model = \"x\" }"),
+                           "; no row has model = x (the rows have a, b)");
+  FoundRow other = row({{"layers", "32"}, {"model", "a"}}, 20);
+  other.row.status = Status::diverged;
+  rows.push_back(other);
+  EXPECT_TRUE(judged(rows, ratio, "{ at_most = 4 }").notes.empty());
+}
+
 TEST(Judge, NamesTheCasesThatAreLeftOut) {
   std::vector<FoundRow> rows = layers_and_models(10, 30);
   rows[3].row.status = Status::failed_check;
@@ -71,7 +89,7 @@ TEST(Judge, SaysWhyAClaimIsUntestable) {
             "no strands");
   EXPECT_EQ(reason(two_rows(),
                    claim_text(ratio, "{ at_most = 4 }", "experiment = \"own\", where = { model = \"z\" }")),
-            "0 of the 1 effects that decide the claim are measured; no row has the axis values of the claim");
+            "0 of the 1 effects that decide the claim are measured; no row has model = z (the rows have a)");
   EXPECT_EQ(reason(two_rows(), claim_text(ratio, "{ at_most = 4 }") + "hardware = \"GeForce\"\n"),
             "the claim is about the paper's hardware (GeForce)");
   EXPECT_EQ(judged(two_rows(), ratio, "{ at_most = 4 }\nhardware = \"dev\"").verdict, Verdict::holds);

@@ -71,8 +71,10 @@ TEST_F(Reproduce, WritesOnePageAndContinues) {
                     "(b) a torus", "data:image/webp", "It is a drawing.", "1 claims are not tested"});
   expect_lacks(page, "More layers take longer");
   // The case with 8 layers is only in the preset quick.
-  expect_has(
-      page, {">skipped</td>", "skipped: not measured with the preset smoke.", "<p class=\"answer\">Frame: "});
+  expect_has(page,
+             {">skipped</td>",
+              "smoke measured 1 cases of its own, most with smaller pictures or models. skipped: 1 cases",
+              "<p class=\"answer\">Frame: "});
   expect_has(folder.read("out/lengths.csv"), {"smoke,tori,", "smoke,mine figures,"});
   const Outcome again = done("reproduce mine --preset smoke --resume out", data);
   expect_has(again.err, "experiment 1 of 1: tori, 1 cases; about 5 s left");
@@ -87,7 +89,8 @@ TEST_F(Reproduce, WritesOnePageAndContinues) {
 
 TEST_F(Reproduce, SaysWhatItWouldRun) {
   const Outcome dry = done("reproduce --dry-run", data);
-  EXPECT_EQ(dry.out, "tori\tquick\t2\t10 s\n") << "without a length of an earlier run, 5 s per case";
+  EXPECT_EQ(dry.out, "experiment\tpreset\tcases\tlength\ntori\tquick\t2\t10 s\n")
+      << "without a length of an earlier run, 5 s per case";
   expect_has(dry.err, "1 experiments with 2 cases, 1 figures: about 15 s; nothing was run");
   EXPECT_FALSE(fs::exists(folder.path / "pelage-results"));
   // The length of an earlier run, on a machine that was slower by far than this one.
@@ -99,8 +102,8 @@ TEST_F(Reproduce, SaysWhatItWouldRun) {
   fs::remove(folder.path / "data/experiments/papers/lengths.csv");
   expect_refused(pelage("reproduce other", data), "other: no such paper; known: mine");
   const Outcome shipped = done("reproduce --dry-run --preset smoke");
-  expect_has(shipped.out,
-             {"silva2010-table1\tsmoke", "demoreuille2011-full\tsmoke", "wetfur2010-fig06\tquick"});
+  expect_has(shipped.out, {"silva2010-table1\tsmoke", "demoreuille2011-full\tsmoke",
+                           "wetfur2010-fig06\tquick, size=200x150"});
 }
 
 // A picture that cannot be drawn is named on the page, and the exit code is 1.

@@ -69,6 +69,9 @@ TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
   folder.write("own.toml", own + "y = \"median_ms\"\n");
   expect_lacks(done("report second -o page --view own.toml").err, "no such column");
   EXPECT_TRUE(fs::exists(folder.path / "page/plots/own-frame-time.json"));
+  folder.write("view.toml", "name = \"own\"\n[report]\ny = \"fps\"\n");  // needs no axes
+  expect_has(done("report second -o page2 --view view.toml").out, "own on");
+  EXPECT_TRUE(fs::exists(folder.path / "page2/plots/own-fps.svg"));
   expect_refused(pelage("report second -o page --view layers"),
                  "--view layers: no row belongs to the experiment layers");
 }
@@ -123,7 +126,7 @@ TEST_F(Results, AComparisonIsAlsoLatexAndAPlot) {
   folder.write("own.toml", of_torus("layers = [4, 8]", "fur.length = 0.12"));
   done("run own.toml -o second");
   const Outcome outcome = done("compare first second --latex table.tex --plot change.pdf");
-  expect_has(outcome.out, {"Frame times of A and B", "layers=4", "verdict"});
+  expect_has(outcome.out, {"Frame times of first and second", "first, ms", "layers=4", "verdict"});
   expect_has(folder.read("table.tex"), {"\\begin{tabular}{lrrrr}", "layers=8 &"});
   for (const char* file : {"change.pdf", "change.svg", "change.csv"})
     EXPECT_GT(fs::file_size(folder.path / file), 0u) << file;

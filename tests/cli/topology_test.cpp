@@ -17,6 +17,16 @@ std::string row_of(const std::string& text, const std::string& name) {
 
 struct TopologyCommand : InFolder {};
 
+// The error after one second needs a step that divides the second; otherwise the motion ends at another time.
+TEST_F(TopologyCommand, RefusesAStepThatDoesNotDivideTheSecond) {
+  const std::string run = "run banisch2006-work-precision --preset smoke --filter rk4 --axis dynamics.step=";
+  const Outcome uneven = pelage(run + "0.00417 -o uneven");
+  EXPECT_EQ(uneven.code, 1);
+  expect_has(uneven.err,
+             {"dynamics.step = 0.00417: 240 steps end at 1.0008 s", "give 0.004166666667, or another step"});
+  expect_has(done(run + "0.004166666667 -o even").err, "ms (one simulated second)");
+}
+
 TEST_F(TopologyCommand, CountsThePapersModels) {
   const Outcome grass = done("topology banisch-grass");
   expect_has(grass.out, "13 surface points");

@@ -176,7 +176,7 @@ class Page(unittest.TestCase):
             self.assertTrue(self.every(link.get_attribute("href").partition("#")[2].join(("#", ""))))
 
     def test_sorting(self):
-        head = next(h for h in self.every("#rows thead th") if "frame, ms" in h.text)
+        head = next(h for h in self.every("#rows thead th") if "time, ms" in h.text)
         button, column = head.find_element(By.TAG_NAME, "button"), 4
 
         def values():

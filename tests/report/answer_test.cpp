@@ -54,8 +54,33 @@ TEST(Answer, NamesTheCheapestCaseForALimit) {
   EXPECT_EQ(table.lines.size(), 8u);
   const std::string csv = csv_of(table);
   test::expect_has(csv,
-                   {"model,limit,choice,median_ms,value,close\n", "m,error_rms at most 0.001,d,40,0.0005,0\n",
-                    "n,error_rms at most 0.01,d,80,0.0005,0\n", "n,error_rms at most 0.0001,none,,,\n"});
+                   {"model,limit,choice,median_ms,value,close\n", "m,error_rms at most 0.001,d,40,0.0005,\n",
+                    "n,error_rms at most 0.01,d,80,0.0005,\n", "n,error_rms at most 0.0001,none,,,\n"});
+}
+
+// Cases whose intervals overlap are named. The errors of topologies are those of different motions.
+TEST(Answer, NamesCasesThatAreAsFast) {
+  std::vector<FoundRow> rows =
+      with_metric(own_rows({{"dynamics.topology", {"sticks"}}, {"solver", {"a", "b", "c"}}}), "error_rms",
+                  "of the length", {0.02});
+  for (FoundRow& found : rows)
+    found.row.samples["frame"].wall_ms = {9, 9.5, 10, 10, 10, 10, 10, 10, 10, 10.5, 11};
+  EXPECT_EQ(answer_of(cells_of(rows)),
+            "With error_rms at most 0.05, the cheapest is a (10.0 ms; within its interval: b; 1 more); with "
+            "error_rms at most 0.01, the cheapest is none.");
+  test::expect_has(csv_of(choices_of(cells_of(rows)).value()), "error_rms at most 0.05,a,10,0.02,b; 1 more\n");
+}
+
+// Without a view, the error stands beside the time and is drawn against it.
+TEST(Answer, ShowsTheErrorWithoutAView) {
+  const std::vector<FoundRow> rows =
+      with_metric(own_rows({{"dynamics.topology", {"sticks", "prisms"}}, {"step", {"0.001", "0.002"}}}),
+                  "error_rms", "of the length", {0.003, 0.03});
+  const std::vector<Section> all = test::sections(rows);
+  EXPECT_EQ(all.back().table.layout.values, (std::vector<std::string>{"median_ms", "error_rms"}));
+  ASSERT_EQ(all.back().plots.size(), 1u);
+  EXPECT_EQ(all.back().plots[0].x, "median_ms");
+  EXPECT_EQ(all.back().plots[0].y, "error_rms");
 }
 
 // The likeness to a control scene is a quality only if the cases approximate that scene by fewer layers, not

@@ -132,6 +132,8 @@ TEST(Formats, AsLatex) {
             "\\bottomrule", "$800 \\times 600$", "cow\\tnote{a}", "$<$stand-in$>$ \\& more", "100\\%"});
   EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
   EXPECT_EQ(latex_text("a_b<c&d%"), "a\\_b$<$c\\&d\\%");
+  EXPECT_EQ(latex_text("[0.7, 1]"), "{[}0.7, 1]")
+      << "a row that begins with an option of \\\\ does not compile";
 }
 
 TEST(Formats, AsHtml) {

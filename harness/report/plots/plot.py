@@ -171,6 +171,8 @@ def decorate(axis, title, categories, values, d):
             axis.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:.10g}"))
     if "guide" in d:
         axis.axhline(d["guide"], color="0.4", linewidth=0.8)
+    for limit in d.get("limits", []):
+        axis.axhline(limit, color="0.4", linewidth=0.8, linestyle=":")
     axis.set_title(title, fontsize=9)
     axis.grid(True, which="minor", color="0.93", linewidth=0.4)
     style.open_axis(axis)
@@ -178,17 +180,25 @@ def decorate(axis, title, categories, values, d):
 
 def from_zero(axis, rows, d):
     """Starts a linear vertical axis at 0 if no number is negative, so that differences do not look larger than they are."""
+    if d.get("limits"):
+        return  # likenesses such as 0.93 and 0.99 differ little from each other, but not from their limits
     columns = [c for c in (d["y"], d["low"], d["high"]) if c]
     values = [number(r[c]) for r in rows for c in columns if number(r[c]) is not None]
     if d["y_scale"] == "linear" and values and min(values) >= 0:
         axis.set_ylim(bottom=0)
 
 
-def plain_ticks(axis):
-    """Labels logarithmic axes that span at most three decades with plain numbers such as 500."""
+def plain_ticks(axis, numbers):
+    """Labels logarithmic axes that span at most three decades with plain numbers such as 500; a horizontal axis with
+    at most six values, the list `numbers`, with these."""
     for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
                                  (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
         if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:
+            continue
+        if ticks is axis.xaxis and 1 < len(numbers) <= 6:
+            ticks.set_major_locator(matplotlib.ticker.FixedLocator(numbers))
+            ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:.10g}"))
+            ticks.set_minor_locator(matplotlib.ticker.NullLocator())
             continue
         steps = (1, 2, 5) if limits[1] / limits[0] < 100 else (1, 3)
         ticks.set_major_locator(matplotlib.ticker.LogLocator(subs=steps))
@@ -221,7 +231,7 @@ def main(rows, table, outputs):
             handles.setdefault(label, handle)
         decorate(axis, keys.text(d["panels"], values), categories, numbers, d)
     from_zero(axes[0][0], rows, d)
-    plain_ticks(axes[0][0])
+    plain_ticks(axes[0][0], numbers)
     for i, row in enumerate(axes):
         row[0].set_ylabel(d["y_label"])
         for j, axis in enumerate(row):

@@ -200,8 +200,21 @@ std::unique_ptr<Subject> solver_turns(const cl::Device& device, const Setting& s
                                       std::move(entrants.unreached_rms));
 }
 
+/// Throws InputError if no whole number of steps makes one second. The simulation would end at another time
+/// than the exact solution, and the difference would count as an error of the solver.
+void refuse_uneven_step(double step) {
+  constexpr double rounding = 1e-6;  // s; that of the step, in all steps together
+  const double steps = std::max(1.0, std::round(1 / step));
+  if (std::abs(steps * step - 1) > rounding)
+    throw InputError(fmt::format(
+        "dynamics.step = {:.6g}: {:.0f} steps end at {:.6g} s, but the study compares states after exactly one second; "
+        "give {:.10g}, or another step that divides one second",
+        step, steps, steps * step, 1 / steps));
+}
+
 std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which) {
   const Scene scene = scene_with_springs(context, which);
+  refuse_uneven_step(double(scene.dynamics.step));
   const Setting setting = setting_of(context, scene);
   return solver_error(context.device, setting, exact_of(context, scene, setting));
 }
@@ -263,6 +276,7 @@ std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setti
 }
 std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Case& which) {
   const Scene scene = scene_with_springs(context, which);
+  refuse_uneven_step(double(scene.dynamics.step));
   const Setting setting = setting_of(context, scene);
   return solver_jacobian(context.device, setting, exact_of(context, scene, setting));
 }
