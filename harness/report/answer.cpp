@@ -59,8 +59,8 @@ std::string key_value(const Cell& cell, const std::string& key) {
 }
 
 std::vector<std::string> key_values(const Cell& cell, const std::vector<std::string>& keys) {
-  std::vector<std::string> values;
-  for (const std::string& key : keys) values.push_back(key_value(cell, key));
+  std::vector<std::string> values(keys.size());
+  std::ranges::transform(keys, values.begin(), [&](const auto& key) { return key_value(cell, key); });
   return values;
 }
 
@@ -197,8 +197,8 @@ std::string ratios_sentence(const std::vector<Cell>& cells, const std::vector<st
       found.emplace_back(*value, &c);
   if (found.empty()) return {};
   if (found.size() == 1) return fmt::format("{}: {}.", what, three_digits(found.front().first));
-  std::vector<double> ratios;
-  for (const auto& [ratio, cell] : found) ratios.push_back(ratio);
+  std::vector<double> ratios(found.size());
+  std::ranges::transform(found, ratios.begin(), &std::pair<double, const Cell*>::first);
   const auto [least, most] = std::ranges::minmax_element(found);
   return fmt::format("{}: {} (geometric mean of {} cases; {} for {} to {} for {}).", what,
                      three_digits(geometric_mean(ratios)), found.size(), three_digits(least->first),
@@ -226,8 +226,8 @@ Effect effect_of(const std::vector<Cell>& cells, const std::string& key,
       groups[key_values(c, others)][key_value(c, key)] = c.median_ms;
       times[key_value(c, key)].push_back(c.median_ms);
     }
-  std::vector<std::string> values;
-  for (const auto& [value, unused] : times) values.push_back(value);
+  std::vector<std::string> values(times.size());
+  std::ranges::transform(times, values.begin(), [](const auto& at) { return at.first; });
   const bool numeric = std::ranges::all_of(values, [](const auto& v) { return number_of(v).has_value(); });
   std::ranges::sort(values, [&](const std::string& a, const std::string& b) {
     return numeric ? natural_less(a, b) : geometric_mean(times[a]) < geometric_mean(times[b]);

@@ -20,8 +20,8 @@ std::vector<std::string> view_warnings(const View& view, const std::map<std::str
   const auto check = [&](const std::string& key, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
       if (is_scene_key(name) && !axes.contains(name)) {
-        std::vector<std::string> keys;
-        for (const auto& [axis, value] : axes) keys.push_back(axis);
+        std::vector<std::string> keys(axes.size());
+        std::ranges::transform(axes, keys.begin(), [](const auto& axis) { return axis.first; });
         throw InputError(fmt::format("report.{} names {}, which is no axis of the experiment (its axes: {})",
                                      key, name, fmt::join(keys, ", ")));
       }

@@ -56,13 +56,14 @@ bool strands_ignore(std::string_view key, const Scene& scene) {
   return key != "fur.uv" && listed(key, layers);
 }
 
-/// The ray-cast picture shows all strands at rest, as cones.
+/// The ray-cast picture shows all strands at rest, as cones. Their shadow comes from the opacity map, which
+/// has strips with segments, and the width of pruned strands.
 bool raycast_ignores(std::string_view key, const Scene& scene) {
-  static constexpr std::string_view motion_and_drawing[] = {
-      "contact.",         "dynamics.",          "strands.chain.", "strands.segments", "strands.subdivision",
-      "strands.fraction", "strands.least_width"};
-  return strands_ignore(key, scene) ||
-         (key != "strands.chain.first_segment" && listed(key, motion_and_drawing));
+  static constexpr std::string_view motion[] = {"contact.", "dynamics.", "strands.chain."};
+  static constexpr std::string_view drawing[] = {"strands.segments", "strands.subdivision",
+                                                 "strands.fraction", "strands.least_width"};
+  return strands_ignore(key, scene) || (key != "strands.chain.first_segment" && listed(key, motion)) ||
+         (scene.strands.shadow == "none" && listed(key, drawing));
 }
 
 constexpr PipelineName pipeline_table[] = {

@@ -24,7 +24,7 @@ std::string axis(const FoundRow& found, const std::string& key) {
 
 TEST(DeviceSettings, NumbersOfThreadsAreAnAxis) {
   std::vector<FoundRow> rows{row("8", 1, "one"), row("16", 1, "one"), row("8", 2, "two"), row("4", 2, "two")};
-  for (const std::size_t i : {0, 1})
+  for (const std::size_t i : {0u, 1u})
     rows[i].row.provenance["environment"] = {{"POCL_MAX_PTHREAD_COUNT", "1"}};
   rows.push_back(rows[0]);
   rows.back().row.experiment = "other";
