@@ -68,7 +68,8 @@ TEST(Answer, NamesCasesThatAreAsFast) {
   EXPECT_EQ(answer_of(cells_of(rows)),
             "With error_rms at most 0.05, the cheapest is a (10.0 ms; within its interval: b; 1 more); with "
             "error_rms at most 0.01, the cheapest is none.");
-  test::expect_has(csv_of(choices_of(cells_of(rows)).value()), "error_rms at most 0.05,a,10,0.02,b; 1 more\n");
+  test::expect_has(csv_of(choices_of(cells_of(rows)).value()),
+                   "error_rms at most 0.05,a,10,0.02,b; 1 more\n");
 }
 
 // Without a view, the error stands beside the time and is drawn against it.
