@@ -70,9 +70,11 @@ void write_look(Hdf5File& file, const StrandInput& input) {
   file.write(
       "light/layer", column(input.look.layers, layer), "1",
       "rank of each fur layer in the sort keys, index of its first frame in light/film, and number of its frames, which is 1 without a film strip");
-  const auto look = [](const LayerLook& l) { return std::array{l.opacity, l.taper, l.gloss}; };
+  const auto look = [](const LayerLook& l) {
+    return std::array{l.opacity, l.taper, l.gloss, l.exponent, l.rim_exponent, l.skin_shadow};
+  };
   file.write("light/layer_look", column(input.look.layers, look), "1",
-             "factors of each fur layer: opacity, taper and gloss");
+             "factors of each fur layer: opacity, taper, gloss, exponent, rim_exponent and skin_shadow");
   file.write("light/layer_rim", column(input.look.layers, &LayerLook::rim), "1",
              "factors of the rim light of each fur layer: red, green and blue");
   std::vector<std::array<std::uint8_t, 3>> film;

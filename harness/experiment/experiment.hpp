@@ -133,6 +133,8 @@ std::filesystem::path experiment_file(const std::string& name_or_file);
 /// name, sorted, or else the experiment_file().
 std::vector<std::filesystem::path> experiments_named(const std::string& name_or_file);
 std::vector<std::filesystem::path> experiment_files();  ///< all shipped experiment files, sorted
+/// Returns the shipped experiment with this name; nothing if there is no such file, or if it cannot be read.
+std::optional<Experiment> shipped_experiment(const std::string& name);
 
 /// Returns the path of a scene file, relative to `folder`. If there is no such file, and `name` contains no
 /// '/', returns the path of the example NAME or NAME.toml. The InputError for an unknown name lists all

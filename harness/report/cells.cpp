@@ -12,7 +12,6 @@
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/measure/cpu_use.hpp"
-#include "harness/report/sections.hpp"
 
 namespace pelage {
 namespace {

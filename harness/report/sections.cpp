@@ -86,14 +86,6 @@ std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& 
   return sections;
 }
 
-std::optional<Experiment> shipped_experiment(const std::string& name) {
-  try {
-    return read_experiment(experiment_file(name));
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
 std::string title_of(const std::vector<Cell>& cells) {
   for (auto c = cells.rbegin(); c != cells.rend(); ++c)
     if (!c->title.empty()) return c->title;

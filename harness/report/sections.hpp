@@ -58,9 +58,6 @@ std::vector<Section> topology_sections(const std::vector<Cell>& cells, const std
 /// that have the status ok and no overrides. Other processes lengthen wall times but hardly change CPU times.
 Table solver_table(const std::vector<FoundRow>& rows);
 
-/// Returns the shipped experiment with this name; nothing if there is no such file, or if it cannot be read.
-std::optional<Experiment> shipped_experiment(const std::string& name);
-
 /// Returns the title of the cells' experiment from the rows, or else from shipped_experiment(), or else its
 /// name.
 std::string title_of(const std::vector<Cell>& cells);

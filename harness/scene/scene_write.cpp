@@ -239,7 +239,10 @@ std::string scene_hash(const Scene& scene) {
       {"opacity", "1.0"},
       {"taper", "1.0"},
       {"gloss", "1.0"},
+      {"exponent", "1.0"},
       {"rim", "[1.0, 1.0, 1.0]"},
+      {"rim_exponent", "1.0"},
+      {"skin_shadow", "1.0"},
       {"response_map", "\"\""},
   };
   const auto is_hashed = [](const Key& key) {

@@ -32,13 +32,15 @@ struct StrandLayerScene {
   float response = 1.0f;               ///< factor of a strand's movement away from its direction at rest
   float opacity = 1.0f, taper = 1.0f;  ///< factors of StrandsScene::opacity and StrandsScene::taper
   float gloss = 1.0f;                  ///< factor of the highlight's colour
+  float exponent = 1.0f;               ///< factor of the highlight's exponent
   glm::vec3 rim{1.0f};                 ///< factor of StrandsScene::rim
-  glm::vec3 colour{1.0f};              ///< factor of the coat's colour
-  float colour_spread = 0.2f;          ///< greatest random deviation of a strand's brightness, as a fraction
-  glm::vec3 region_centre{0.0f};       ///< centre of the ball that the layer's region is limited to, R
-  float region_radius = 0.0f;          ///< radius of this ball in R; 0: the region is the whole surface
-  bool region_outside = false;         ///< true: the region is outside of the ball
-  std::filesystem::path mask;          ///< the layer has strands only where this map is at least 0.5
+  float rim_exponent = 1.0f, skin_shadow = 1.0f;  ///< factors of the same values of StrandsScene
+  glm::vec3 colour{1.0f};                         ///< factor of the coat's colour
+  float colour_spread = 0.2f;     ///< greatest random deviation of a strand's brightness, as a fraction
+  glm::vec3 region_centre{0.0f};  ///< centre of the ball that the layer's region is limited to, R
+  float region_radius = 0.0f;     ///< radius of this ball in R; 0: the region is the whole surface
+  bool region_outside = false;    ///< true: the region is outside of the ball
+  std::filesystem::path mask;     ///< the layer has strands only where this map is at least 0.5
   std::filesystem::path density_map, length_map, width_map, stiffness_map, response_map;
   std::filesystem::path curvature_map, twist_map;  ///< maps of signed angles
   std::filesystem::path comb_map;

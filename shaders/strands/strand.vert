@@ -1,15 +1,17 @@
 // Expands a strand to a triangle strip. A strip has two vertices for each vertex of the curve.
+#if defined(LIGHTS) && !defined(MAP)
+#define SHADED   // the picture of a strand with lights
+#endif
 #ifdef INSTANCED
 layout(location = 0) in vec4 first;
 layout(location = 1) in vec4 second;
 layout(location = 2) in vec4 third;
-#ifdef LIGHTS
+#ifdef SHADED
 layout(location = 3) in vec4 fourth;
-layout(location = 4) in vec4 fifth;
 #endif
 #else
 layout(std430, binding = 0) readonly buffer Records { vec4 record[]; };
-#ifdef LIGHTS
+#ifdef SHADED
 layout(std430, binding = 1) readonly buffer Lights { vec4 light[]; };
 #endif
 #endif
@@ -24,8 +26,8 @@ void main() {
 #else
   int strand = gl_VertexID / (2 * SEGMENTS + 2), vertex = gl_VertexID % (2 * SEGMENTS + 2);
   vec4 first = record[3 * strand], second = record[3 * strand + 1], third = record[3 * strand + 2];
-#ifdef LIGHTS
-  vec4 fourth = light[2 * strand], fifth = light[2 * strand + 1];
+#ifdef SHADED
+  vec4 fourth = light[strand];
 #endif
 #endif
   Strand s;
@@ -36,11 +38,10 @@ void main() {
   s.colour = unpackUnorm4x8(floatBitsToUint(third.z)).rgb;
 #ifdef LIGHTS
   s.frame = int(floatBitsToUint(third.z) >> 24);
-  s.height = fourth.xy;
-  s.own_opacity = fourth.z;
-  s.own_taper = fourth.w;
-  s.steady = fifth.xyz;
-  s.gloss = fifth.w;
+#endif
+#ifdef SHADED
+  s.height = vec2(third.w, fourth.w);
+  s.steady = fourth.xyz;
 #endif
   Vertex v = strip_vertex(s, vertex >> 1, (vertex & 1) != 0 ? 1.0 : -1.0);
   across = v.across;

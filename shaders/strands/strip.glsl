@@ -11,10 +11,11 @@ struct Strand {
   float radius;  // half of the width at the root, divided by PIXEL
   vec3 colour;
 #ifdef LIGHTS
-  int frame;                             // of the film strip
-  vec2 height;                           // of joint and tip above the skin, divided by SKIN_SHADOW_HEIGHT times the length
-  float own_opacity, own_taper, gloss;   // factors of the fur layer
-  vec3 steady;                           // light that does not change along the strand
+  int frame;     // of the film strip
+#ifndef MAP
+  vec2 height;   // of joint and tip above the skin, divided by SKIN_SHADOW_HEIGHT times the length
+  vec3 steady;   // light that does not change along the strand
+#endif
 #endif
 };
 
@@ -56,17 +57,34 @@ int segments_of(Strand s) {
 #endif
 }
 
+// A factor of the fur layer. The first five samples of a frame contain them: opacity, taper, gloss, exponent of the highlight and
+// shadow of the skin.
+#define OWN_OPACITY 0
+#define OWN_TAPER 1
+#define OWN_GLOSS 2
+#define OWN_EXPONENT 3
+#define OWN_SKIN_SHADOW 4
+float own(Strand s, int factor) {
+#ifdef LAYERS
+  return film[8 * s.frame + factor].w;
+#else
+  return 1.0;
+#endif
+}
+
 // Luminance, gloss and opacity of the film strip.
 vec3 film_at(Strand s, float t) {
 #ifdef LIGHTS
   float at = 7.0 * t;
   int first = min(int(at), 6);
-  return mix(film[8 * s.frame + first].xyz, film[8 * s.frame + first + 1].xyz, at - float(first)) * vec3(1.0, s.gloss, s.own_opacity);
+  vec3 factors = mix(film[8 * s.frame + first].xyz, film[8 * s.frame + first + 1].xyz, at - float(first));
+  return factors * vec3(1.0, own(s, OWN_GLOSS), own(s, OWN_OPACITY));
 #else
   return vec3(1.0);
 #endif
 }
 
+#ifndef MAP
 // Light of Kajiya and Kay on a hair, and the lights of section Light. key: part of the key light that arrives.
 vec3 hair_light(Strand s, float t, vec3 film_factors, float key) {
   vec3 slope = camera_axes(mix(s.joint - s.root, s.tip - s.joint, t)), start = camera_axes(s.joint - s.root);
@@ -75,15 +93,16 @@ vec3 hair_light(Strand s, float t, vec3 film_factors, float key) {
   float along_light = dot(tangent, LIGHT), along_eye = dot(tangent, from_eye);
   float across_light = length(cross(tangent, LIGHT)), across_eye = length(cross(tangent, from_eye));
   float mirror = max(0.0, along_light * along_eye + across_light * across_eye);
-  float shine = INTENSITY * key * film_factors.y * pow(mirror, EXPONENT), diffuse = INTENSITY * key * across_light;
+  float shine = INTENSITY * key * film_factors.y * pow(mirror, EXPONENT * own(s, OWN_EXPONENT)), diffuse = INTENSITY * key * across_light;
 #ifdef LIGHTS
   float height = clamp(2.0 * t * (1.0 - t) * s.height.x + t * t * s.height.y, 0.0, 1.0);
-  float bright = film_factors.x * (1.0 - SKIN_SHADOW * (1.0 - height));
+  float bright = film_factors.x * (1.0 - SKIN_SHADOW * own(s, OWN_SKIN_SHADOW) * (1.0 - height));
   return bright * (s.steady + s.colour * diffuse + SPECULAR * shine);
 #else
   return s.colour * (AMBIENT + diffuse) + SPECULAR * shine;
 #endif
 }
+#endif
 
 // A vertex of the strip: k is the number of the curve's vertex, and side is -1 or 1. The strip is half a pixel wider than the
 // strand on each side, so that it contains all pixels that the strand touches.
@@ -135,12 +154,7 @@ Vertex strip_vertex(Strand s, int k, float side) {
   mitre = square > 1e-12 ? mitre * inversesqrt(square) : vec2(0.0);
   vec2 along = k > 0 ? before : behind;
   Vertex v;
-#ifdef LIGHTS
-  float taper = TAPER * s.own_taper;
-#else
-  float taper = TAPER;
-#endif
-  float radius = s.radius * (1.0 - taper * t) * per_depth(p.z);
+  float radius = s.radius * (1.0 - TAPER * own(s, OWN_TAPER) * t) * per_depth(p.z);
   // A mitre of more than 90 degrees is shortened.
   float stretch = 1.0 / max(dot(mitre, along), 0.70710678);
   float distance = side * (radius + 0.5);

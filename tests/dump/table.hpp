@@ -87,7 +87,7 @@ struct Dumped {
 };
 
 inline std::string shape_of(const std::string& name, const Dumped& dump) {
-  static const std::set<std::string> constants{"1", "2", "3", "4", "8"};
+  static const std::set<std::string> constants{"1", "2", "3", "4", "6", "8"};
   std::string text;
   for (const std::string& size : dump.file.at(name).shape) {
     const auto symbol = dump.symbols.find(size);

@@ -17,7 +17,6 @@ namespace pelage::strands {
 namespace {
 
 constexpr double depth_steps = 1 << 24;
-constexpr std::size_t most_frames = 256, most_layers = 256;
 
 void in_range(const char* what, float value, float least, float most) {
   if (!(value >= least && value <= most))  // also true for NaN
@@ -101,8 +100,11 @@ void check(const Look& look) {
     in_range("opacity of a fur layer", look.opacity * layer.opacity, 0, 1);
     in_range("taper of a fur layer", look.taper * layer.taper, 0, 1);
     in_range("factor of the highlight of a fur layer", layer.gloss, 0, 1000);
+    in_range("exponent of the highlight of a fur layer", look.exponent * layer.exponent, 1, 10000);
     for (int axis = 0; axis < 3; ++axis)
       in_range("factor of the rim light of a fur layer", layer.rim[axis], 0, 1000);
+    in_range("exponent of the rim light of a fur layer", look.rim_exponent * layer.rim_exponent, 1, 1000);
+    in_range("shadow of the skin of a fur layer", look.skin_shadow * layer.skin_shadow, 0, 1);
     in_range("first film frame of a fur layer", float(layer.first_frame), 0, float(frames - 1));
     in_range("number of film frames of a fur layer", float(layer.frames), 1,
              float(frames - layer.first_frame));

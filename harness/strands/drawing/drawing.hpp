@@ -48,6 +48,9 @@ struct ShadowLook {
   float radius = 1.25f;  ///< radius of a ball around the object's origin that contains all strands, R
 };
 
+inline constexpr int most_layers = 256;  ///< limit of the number of fur layers
+inline constexpr int most_frames = 256;  ///< limit of the number of frames of the film strips
+
 /// The place of a fur layer in the order of drawing, its frames of the film strip, and its look: factors of
 /// values of Look.
 struct LayerLook {
@@ -55,10 +58,16 @@ struct LayerLook {
   int first_frame = 0, frames = 1;  ///< the layer uses `frames` frames of Look::film from `first_frame` on
   float opacity = 1, taper = 1;     ///< at least 0; the products with those of Look are at most 1
   float gloss = 1;                  ///< factor of Look::specular, at least 0
+  float exponent = 1;               ///< factor of Look::exponent; the product is 1 to 10000
   glm::vec3 rim{1};                 ///< factor of Look::rim, at least 0
+  float rim_exponent = 1;           ///< factor of Look::rim_exponent; the product is 1 to 1000
+  float skin_shadow = 1;            ///< factor of Look::skin_shadow; the product is 0 to 1
   bool operator==(const LayerLook&) const = default;
 
-  bool has_own_look() const { return opacity != 1 || taper != 1 || gloss != 1 || rim != glm::vec3(1); }
+  bool has_own_look() const {
+    return opacity != 1 || taper != 1 || gloss != 1 || exponent != 1 || rim != glm::vec3(1) ||
+           rim_exponent != 1 || skin_shadow != 1;
+  }
 };
 
 /// What happens to strands that face away from the camera: they are left out before the sort; or they are
@@ -119,7 +128,7 @@ using Irradiance = std::array<glm::vec3, 9>;
 /// Returns whether the look has more than a key light and ambient light, or layers with looks of their own.
 bool has_lights(const Look& look);
 
-/// Returns whether some fur layer has a factor of opacity, taper, gloss or rim light other than 1.
+/// Returns whether some fur layer has a factor other than 1.
 bool has_layer_looks(const Look& look);
 
 /// Returns the coefficients of F of docs/strands.md, section Light. Coefficients above look.bands are 0.

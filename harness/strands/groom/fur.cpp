@@ -25,8 +25,7 @@ namespace {
 
 // Independent sequences of Random.
 constexpr std::uint32_t length_stream = 71, colour_stream = 72, curvature_stream = 73, twist_stream = 74;
-constexpr std::size_t most_frames = 256;  // limit of Look::film
-constexpr double least_size = 1e-6;       // least length and width of a strand, R
+constexpr double least_size = 1e-6;  // least length and width of a strand, R
 
 std::uint8_t byte_of(double value) {
   return std::uint8_t(std::lround(255 * std::clamp(value, 0.0, 1.0)));
@@ -198,7 +197,7 @@ void add_film(const std::vector<StrandLayerScene>& layers, Fur& fur) {
     } else {
       look.first_frame = 0;
     }
-    if (fur.film.size() > most_frames)
+    if (fur.film.size() > std::size_t(most_frames))
       throw InputError(fmt::format("{}: {}: the film strips of all layers have more than {} frames in total",
                                    key, layers[i].film.string(), most_frames));
     fur.layers.push_back(look);
@@ -293,7 +292,7 @@ std::string key_of(const Mesh& mesh, const StrandsScene& strands, const CoatText
   for (StrandLayerScene& layer : scene.strands.layers) {
     layer.order_bias = StrandLayerScene{}.order_bias;
     layer.order_offset = StrandLayerScene{}.order_offset;
-    layer.opacity = layer.taper = layer.gloss = 1;
+    layer.opacity = layer.taper = layer.gloss = layer.exponent = layer.rim_exponent = layer.skin_shadow = 1;
     layer.rim = glm::vec3(1);
   }
   return Hash()

@@ -9,6 +9,7 @@
 
 #include "harness/error.hpp"
 #include "harness/strands/drawing/detail.hpp"
+#include "harness/strands/drawing/film_table.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using cl::copy;
 
 constexpr std::size_t slice = 16;
-constexpr int most_chunks = 65536, most_layers = 256, most_frames = 256;
+constexpr int most_chunks = 65536;
 
 int chunks_of(const cl::Device& device, int wanted) {
   if (wanted < 0 || wanted > most_chunks)
@@ -63,7 +64,8 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   p.intensity = look.intensity;
   p.ambient = look.ambient;
   p.exponent = look.exponent;
-  p.whole_exponent = cl::whole_exponent(look.exponent);
+  const bool own_exponents = std::ranges::any_of(look.layers, [](const auto& l) { return l.exponent != 1; });
+  p.whole_exponent = own_exponents ? 0 : cl::whole_exponent(look.exponent);
   copy(p.specular, look.specular);
   copy(p.background, look.background);
   const Irradiance fill = irradiance_of(look);
@@ -78,47 +80,15 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   return p;
 }
 
-/// Appends frames in the kernels' layout.
-void add_frames(std::span<const FilmFrame> frames, const LayerLook& layer, std::vector<std::int32_t>& table) {
-  for (const FilmFrame& frame : frames) {
-    for (const FilmSample& sample : frame)
-      table.push_back(sample.luminance | sample.gloss << 8 | sample.opacity << 16);
-    for (const float factor : {layer.opacity, layer.taper, layer.gloss, 0.0f})
-      table.push_back(std::bit_cast<std::int32_t>(factor));
+/// The frames of film_table() in the kernels' layout: FILM_RECORD integers each.
+std::vector<std::int32_t> film_words(const Look& look) {
+  std::vector<std::int32_t> words;
+  for (const LayerFrame& frame : film_table(look).frames) {
+    for (const FilmSample& sample : frame.film)
+      words.push_back(sample.luminance | sample.gloss << 8 | sample.opacity << 16);
+    for (const float factor : frame.factors()) words.push_back(std::bit_cast<std::int32_t>(factor));
   }
-}
-
-/// The film strip in the kernels' layout. Without a film strip, it has one frame of factors 1. If some layer
-/// has a look of its own, the table has the frames of one layer after the other.
-std::vector<std::int32_t> film_table(const Look& look) {
-  const std::vector<FilmFrame> one(1);
-  const std::span<const FilmFrame> film = look.film.empty() ? one : look.film;
-  std::vector<std::int32_t> table;
-  if (!has_layer_looks(look)) {
-    add_frames(film, {}, table);
-    return table;
-  }
-  for (const LayerLook& layer : look.layers)
-    add_frames(film.subspan(std::size_t(layer.first_frame), std::size_t(layer.frames)), layer, table);
-  if (table.size() > std::size_t(most_frames) * FILM_RECORD)
-    throw InputError(fmt::format(
-        "film strips: {} frames; fur layers with an opacity, taper, gloss or rim light of their own may have {} frames together",
-        table.size() / FILM_RECORD, most_frames));
-  return table;
-}
-
-/// Returns the values of the fur layers 0 to 255. Their frames are those of film_table().
-std::vector<LayerLook> layers_of(const Look& look) {
-  std::vector<LayerLook> layers;
-  layers.reserve(most_layers);
-  int frames = 0;
-  for (int layer = 0; layer < most_layers; ++layer) {
-    layers.push_back(layer_look(look, layer));
-    if (!has_layer_looks(look)) continue;
-    layers.back().first_frame = frames;
-    frames += layer < int(look.layers.size()) ? layers.back().frames : 0;
-  }
-  return layers;
+  return words;
 }
 
 /// Number of bits that the sort keys of the strands use.
@@ -135,22 +105,10 @@ std::vector<std::int32_t> layer_table(const std::vector<LayerLook>& layers) {
   std::vector<std::int32_t> table;
   for (const LayerLook& layer : layers) {
     table.insert(table.end(), {layer.rank, layer.first_frame, layer.frames});
-    for (const float factor : {layer.rim.x, layer.rim.y, layer.rim.z, 0.0f, 0.0f})
+    for (const float factor : {layer.rim.x, layer.rim.y, layer.rim.z, layer.rim_exponent, 0.0f})
       table.push_back(std::bit_cast<std::int32_t>(factor));
   }
   return table;
-}
-
-/// Throws InputError if layers have looks of their own, but a strand's layer has no entry in look.layers.
-void need_looks(const Look& look, const std::vector<KeyedStrand>& strands) {
-  if (look.back_facing == BackFacing::last)
-    for (const KeyedStrand& s : strands)
-      if (layer_look(look, s.layer).rank > 254)
-        throw InputError("fur layers: with strands that face away last, at most 255 ranks are possible");
-  if (!has_layer_looks(look)) return;
-  for (const KeyedStrand& s : strands)
-    if (s.layer >= look.layers.size())
-      throw InputError(fmt::format("fur layer {}: it has no look; give one for each layer", s.layer));
 }
 
 bool same_size(const Camera& a, const Camera& b) {
@@ -167,7 +125,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
                std::size_t keys, const DrawerOptions& options)
     : strands_(strands),
       scene_(scene),
-      layers_(layers_of(scene.look)),
+      layers_(film_table(scene.look).layers),
       kinds_(kinds_of(scene.look, strands)),
       layout_(layout_of(queue.device().info(), scene.camera.width, scene.camera.height, options)),
       sort_(queue.device(), options.runs),
@@ -185,7 +143,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   set_pruning(scene.look);
   pass_.emplace(queue, params_, picture_texts(kinds_, layout_, false, scene.skin != nullptr), layout_,
                 padded);
-  film_ = cl::uploaded(queue, film_table(scene.look));
+  film_ = cl::uploaded(queue, film_words(scene.look));
   layer_table_ = cl::Buffer<std::int32_t>(device, std::size_t(most_layers) * LAYER_RECORD);
   nothing_ = cl::Buffer<glm::vec4>(device, 1);
   if (scene.look.shadow.reading != Shadow::none)
@@ -206,7 +164,7 @@ void Drawer::set_pruning(const Look& look) {
 
 bool Drawer::can_show(const DrawingScene& scene) const {
   check(scene.look);
-  return same_size(scene.camera, scene_.camera) && film_table(scene.look) == film_table(scene_.look) &&
+  return same_size(scene.camera, scene_.camera) && film_words(scene.look) == film_words(scene_.look) &&
          kinds_of(scene.look, strands_) == kinds_ && scene.look.shadow.size == scene_.look.shadow.size &&
          scene.skin == scene_.skin;
 }
@@ -225,7 +183,7 @@ void Drawer::set_view(const DrawingScene& scene) {
   p.capacity = params_.capacity;
   params_ = p;
   scene_ = scene;
-  layers_ = layers_of(scene.look);
+  layers_ = film_table(scene.look).layers;
   layers_written_ = false;
   key_bits_ = key_bits_of(scene.look, strands_, layers_);
   set_pruning(scene.look);

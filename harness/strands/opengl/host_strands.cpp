@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "harness/strands/drawing/film_table.hpp"
+
 namespace pelage::strands {
 namespace {
 
@@ -67,14 +69,12 @@ HostStrands::HostStrands(const DrawingScene& scene, const std::vector<KeyedStran
       light_(map_ ? light_view(scene.look) : LightView{}),
       pruning_(strands.empty() ? Pruning{} : pruning_of(strands.size(), scene.look)),
       strands_(drawn_of(strands, pruning_)),
+      layers_(film_table(scene.look).layers),
       keys_(strands_.size()) {
-  for (int layer = 0; layer < 256; ++layer) layers_.push_back(layer_look(scene.look, layer));
+  need_looks(scene.look, strands);
   records_.strand.resize(strands_.size());
   if (lights_) records_.light.resize(strands_.size());
-  if (map_) {
-    in_light_.strand.resize(strands_.size());
-    if (lights_) in_light_.light.resize(strands_.size());
-  }
+  if (map_) in_light_.strand.resize(strands_.size());
 }
 
 HostStrands::Curve HostStrands::curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& s) const {
@@ -104,7 +104,7 @@ HostStrands::Curve HostStrands::curve_of(const std::vector<KeyStrand>& keys, con
   return {{root, joint, joint + (1 - first) * s.length * w}, n};
 }
 
-LightRecord HostStrands::light_of(const Curve& curve, const KeyedStrand& s) const {
+void HostStrands::set_light(const Curve& curve, const KeyedStrand& s, std::size_t at) {
   const Look& look = scene_.look;
   const LayerLook& layer = layers_[s.layer];
   const glm::vec3 n = curve.normal, eye = glm::normalize(curve.point[1] - scene_.camera.eye);
@@ -112,17 +112,14 @@ LightRecord HostStrands::light_of(const Curve& curve, const KeyedStrand& s) cons
   glm::vec3 fill(0);
   for (std::size_t i = 0; i < basis.size(); ++i) fill += float(basis[i]) * fill_[i];
   const glm::vec3 base = glm::vec3(s.colour[0], s.colour[1], s.colour[2]) / 255.0f;
-  LightRecord r;
+  LightRecord& r = records_.light[at];
   r.steady =
       base * (look.ambient + glm::max(fill, 0.0f)) +
-      look.rim * layer.rim * std::pow(std::max(0.0f, 1 - std::abs(glm::dot(n, eye))), look.rim_exponent);
+      look.rim * layer.rim *
+          std::pow(std::max(0.0f, 1 - std::abs(glm::dot(n, eye))), look.rim_exponent * layer.rim_exponent);
   const float scale = 1 / (look.skin_shadow_height * s.length);
-  r.height = scale * glm::vec2(glm::dot(n, curve.point[1] - curve.point[0]),
-                               glm::dot(n, curve.point[2] - curve.point[0]));
-  r.opacity = layer.opacity;
-  r.taper = layer.taper;
-  r.gloss = layer.gloss;
-  return r;
+  records_.strand[at].joint_height = scale * glm::dot(n, curve.point[1] - curve.point[0]);
+  r.tip_height = scale * glm::dot(n, curve.point[2] - curve.point[0]);
 }
 
 /// The sort key of a strand: the lowest one is in front. `away`: the strand faces away from the camera.
@@ -166,7 +163,7 @@ void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {
       r.radius = 0.5f * s.width / c.pixel;
       r.colour = colour;
       keys_[at] = key_of(r, layer.rank, away);
-      if (lights_ && keys_[at] != not_drawn) records_.light[at] = light_of(curve, s);
+      if (lights_ && keys_[at] != not_drawn) set_light(curve, s, at);
     }
     if (!map_) continue;
     StrandRecord& shadow = in_light_.strand[at];
@@ -174,7 +171,6 @@ void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {
       shadow.view[k] = in_view(light_.row_x, light_.row_y, light_.row_z, curve.point[k]);
     shadow.radius = 0.5f * s.width / light_.texel;
     shadow.colour = colour;
-    if (lights_) in_light_.light[at] = {{}, layer.opacity, layer.taper, {}, 1};
   }
 }
 

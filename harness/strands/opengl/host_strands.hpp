@@ -17,19 +17,17 @@ struct StrandRecord {
   std::array<glm::vec3, 3> view{};  ///< X, Y and W of root, joint and tip
   float radius = 0;                 ///< half of the width at the root divided by Camera::pixel
   std::uint32_t colour = 0;  ///< red, green, blue and the number of the film frame, the lowest byte first
-  float unused = 0;
+  float joint_height = 0;    ///< of the joint above the skin, in heights of the skin's shadow
 };
 
 /// The rest of a strand, if the look has more than a key light and ambient light.
 struct LightRecord {
-  glm::vec2 height{0};           ///< of joint and tip above the skin, in heights of the skin's shadow
-  float opacity = 1, taper = 1;  ///< factors of the fur layer
-  glm::vec3 steady{0};           ///< light that does not change along the strand
-  float gloss = 1;               ///< factor of the fur layer
+  glm::vec3 steady{0};   ///< light that does not change along the strand
+  float tip_height = 0;  ///< of the tip above the skin, in heights of the skin's shadow
 };
 
-/// The strands of a picture or of an opacity map. `light` is empty if the look has a key light and ambient
-/// light only.
+/// The strands of a picture or of an opacity map. `light` is empty in an opacity map, and if the look has a
+/// key light and ambient light only.
 struct Records {
   std::vector<StrandRecord> strand;
   std::vector<LightRecord> light;
@@ -52,7 +50,7 @@ class HostStrands {
   };
   struct Curve;
   Curve curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& strand) const;
-  LightRecord light_of(const Curve& curve, const KeyedStrand& strand) const;
+  void set_light(const Curve& curve, const KeyedStrand& strand, std::size_t at);
   std::uint32_t key_of(const StrandRecord& record, int rank, bool away) const;
   void sort();
 

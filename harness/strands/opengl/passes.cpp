@@ -69,9 +69,9 @@ Strips::Strips(std::size_t strands, int segments, bool instanced, bool lights)
       glVertexArrayAttribBinding(array, first + i, buffer);
     }
   };
-  static_assert(sizeof(StrandRecord) == 48 && sizeof(LightRecord) == 32);
+  static_assert(sizeof(StrandRecord) == 48 && sizeof(LightRecord) == 16);
   attributes(0, records_, 0, 3);
-  if (lights) attributes(1, light_, 3, 2);
+  if (lights) attributes(1, light_, 3, 1);
 }
 
 void Strips::draw(const Records& records) const {
@@ -95,7 +95,7 @@ void Strips::draw(const Records& records) const {
 OpacityPass::OpacityPass(const DrawingScene& scene, std::size_t strands, bool instanced)
     : size_(scene.look.shadow.size),
       program_(map_program(scene, instanced)),
-      strips_(strands, scene.look.segments, instanced, has_lights(scene.look)),
+      strips_(strands, scene.look.segments, instanced, false),
       least_(texture_of(GL_R32F, size_, size_)),
       sums_(texture_of(GL_RGBA32F, size_, size_)),
       framebuffer_(gl::make_framebuffer()) {

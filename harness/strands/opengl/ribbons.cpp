@@ -10,6 +10,7 @@
 #include "harness/error.hpp"
 #include "harness/gl/context.hpp"
 #include "harness/gl/target.hpp"
+#include "harness/strands/drawing/film_table.hpp"
 #include "harness/strands/opengl/host_strands.hpp"
 #include "harness/strands/opengl/passes.hpp"
 #include "harness/strands/opengl/shaders.hpp"
@@ -25,13 +26,18 @@ bool is_instanced(const RibbonOptions& options) {
   return options.expand == "instanced";
 }
 
-/// The film strips of the look, as the shaders read them: luminance, gloss and opacity of each sample.
+/// The film_table() as the shaders read it: luminance, gloss and opacity of each sample, and the factors of
+/// the frame's layer, of which each sample has one.
 std::vector<glm::vec4> film_of(const Look& look) {
   std::vector<glm::vec4> film;
-  const std::vector<FilmFrame> one(1);
-  for (const FilmFrame& frame : look.film.empty() ? one : look.film)
-    for (const FilmSample& s : frame)
-      film.emplace_back(float(s.luminance) / 128.0f, float(s.gloss) / 128.0f, float(s.opacity) / 255.0f, 0);
+  for (const LayerFrame& frame : film_table(look).frames) {
+    const std::array<float, 5> factors = frame.factors();
+    for (std::size_t i = 0; i < frame.film.size(); ++i) {
+      const FilmSample& s = frame.film[i];
+      film.emplace_back(float(s.luminance) / 128.0f, float(s.gloss) / 128.0f, float(s.opacity) / 255.0f,
+                        i < factors.size() ? factors[i] : 0);
+    }
+  }
   return film;
 }
 

@@ -39,7 +39,8 @@ std::string strip_constants(const DrawingScene& scene, glm::vec3 light, bool own
          constant("EXPONENT", look.exponent) +
          (has_lights(look)
               ? "#define LIGHTS\nlayout(std430, binding = 2) readonly buffer Film { vec4 film[]; };\n"
-              : "");
+              : "") +
+         (has_layer_looks(look) ? "#define LAYERS\n" : "");
 }
 
 std::string shadow_text(const DrawingScene& scene) {

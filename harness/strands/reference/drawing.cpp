@@ -69,13 +69,13 @@ int segments_of(const Camera& camera, const Look& look, const Curve& view) {
 
 /// Light of Kajiya and Kay on a hair with the tangent T, without the highlight's factor: x is |T x L|, and y
 /// the power of (T.L)(T.E) + |T x L||T x E|. E points from the eye to the joint.
-glm::dvec2 hair_light(const Look& look, Vec tangent, Vec from_eye) {
+glm::dvec2 hair_light(const Look& look, double exponent, Vec tangent, Vec from_eye) {
   const Vec light = glm::normalize(Vec(look.light));
   const double along_light = glm::dot(tangent, light), along_eye = glm::dot(tangent, from_eye);
   const double across_light = glm::length(glm::cross(tangent, light));
   const double across_eye = glm::length(glm::cross(tangent, from_eye));
   const double mirror = std::max(0.0, along_light * along_eye + across_light * across_eye);
-  return {across_light, std::pow(mirror, double(look.exponent))};
+  return {across_light, std::pow(mirror, exponent)};
 }
 
 /// The real spherical harmonics of degree l = 0, 1, 2 at a unit vector.
@@ -136,11 +136,14 @@ class StrandLight {
   StrandLight(const Camera& camera, const Look& look, const DrawnStrand& strand, std::uint32_t number)
       : look_(look), strand_(strand), number_(number), curve_(curve_of(strand)) {
     const Vec normal(strand.normal);
+    const LayerLook own = own_look(look, strand);
+    exponent_ = double(look.exponent) * double(own.exponent);
+    skin_shadow_ = double(look.skin_shadow) * double(own.skin_shadow);
     from_eye_ = glm::normalize(curve_.p[1] - Vec(camera.eye));
-    steady_ =
-        Vec(strand.colour) * (double(look.ambient) + fill_light(look, normal)) +
-        Vec(look.rim) * Vec(own_look(look, strand).rim) *
-            std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye_))), double(look.rim_exponent));
+    steady_ = Vec(strand.colour) * (double(look.ambient) + fill_light(look, normal)) +
+              Vec(look.rim) * Vec(own.rim) *
+                  std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye_))),
+                           double(look.rim_exponent) * double(own.rim_exponent));
     length_ = glm::distance(curve_.p[0], curve_.p[1]) + glm::distance(curve_.p[1], curve_.p[2]);
   }
 
@@ -151,10 +154,10 @@ class StrandLight {
     const Vec tangent = glm::length(slope) < glm::length(start) / 1024 ? start : slope;
     const double length = glm::length(tangent), key = double(look_.intensity) * lit;
     const Film film = film_at(look_, strand_, number_, t);
-    const glm::dvec2 light = hair_light(look_, length > 0 ? tangent / length : Vec(0), from_eye_);
+    const glm::dvec2 light = hair_light(look_, exponent_, length > 0 ? tangent / length : Vec(0), from_eye_);
     const double height = std::max(0.0, glm::dot(Vec(strand_.normal), curve_.at(t) - curve_.p[0]));
-    const double shadow = 1 - double(look_.skin_shadow) *
-                                  (1 - std::min(1.0, height / (double(look_.skin_shadow_height) * length_)));
+    const double shadow =
+        1 - skin_shadow_ * (1 - std::min(1.0, height / (double(look_.skin_shadow_height) * length_)));
     return shadow * film.luminance *
            (steady_ + key * (base * light.x + film.gloss * Vec(look_.specular) * light.y));
   }
@@ -165,7 +168,7 @@ class StrandLight {
   std::uint32_t number_;
   Curve curve_;
   Vec from_eye_{0}, steady_{0};
-  double length_ = 0;
+  double length_ = 0, exponent_ = 1, skin_shadow_ = 0;
 };
 
 /// Returns the part of the key light that reaches a point, 1 without a map.

@@ -114,15 +114,25 @@ Look look_of(const Scene& scene) {
   for (const StrandFillScene& fill : strands.fills) look.fills.push_back({fill.direction, fill.colour});
   for (std::size_t i = 0; i < strands.layers.size(); ++i) {
     const StrandLayerScene& layer = strands.layers[i];
-    const auto need = [&](const char* key, float factor, float all) {
-      if (factor * all > 1)
+    const auto need = [&](const char* key, float factor, const char* of, float all, float least, float most) {
+      if (!(factor * all >= least && factor * all <= most))
         throw InputError(
-            fmt::format("strands.layer[{}].{}: {} times strands.{} is {}; the product must be at most 1",
-                        i + 1, key, factor, key, factor * all));
+            fmt::format("strands.layer[{}].{}: {} times {} is {}; the product must be from {} to {}", i + 1,
+                        key, factor, of, factor * all, least, most));
     };
-    need("opacity", layer.opacity, look.opacity);
-    need("taper", layer.taper, look.taper);
-    look.layers.push_back({int(i), 0, 1, layer.opacity, layer.taper, layer.gloss, layer.rim});
+    need("opacity", layer.opacity, "strands.opacity", strands.opacity, 0, 1);
+    need("taper", layer.taper, "strands.taper", strands.taper, 0, 1);
+    need("exponent", layer.exponent, "shading.exponent", look.exponent, 1, 10000);
+    need("rim_exponent", layer.rim_exponent, "strands.rim_exponent", strands.rim_exponent, 1, 1000);
+    need("skin_shadow", layer.skin_shadow, "strands.skin_shadow", strands.skin_shadow, 0, 1);
+    look.layers.push_back({.rank = int(i),
+                           .opacity = layer.opacity,
+                           .taper = layer.taper,
+                           .gloss = layer.gloss,
+                           .exponent = layer.exponent,
+                           .rim = layer.rim,
+                           .rim_exponent = layer.rim_exponent,
+                           .skin_shadow = layer.skin_shadow});
   }
   look.bands = strands.bands;
   look.rim = strands.rim;

@@ -104,7 +104,11 @@ INLINE truth in_picture(const DrawParams *p, real3 root, real3 joint, real3 tip,
 INLINE real3 steady_light(const DrawParams *p, TABLE(int) layers, whole layer, Curve curve, real3 colour) {
   real3 from_eye = sub3(curve.joint, uniform3(p->eye[0], p->eye[1], p->eye[2]));
   from_eye = unit3(from_eye, dot3(from_eye, from_eye));
-  real edge = power(greater(1.0f - fabs(dot3(curve.normal, from_eye)), REAL(0.0f)), REAL(p->rim_exponent));
+  real exponent = REAL(p->rim_exponent);
+#if STRAND_LAYERS
+  exponent = exponent * bits_as_real(gather_whole(layers, layer + LAYER_RIM_EXPONENT));
+#endif
+  real edge = power(greater(1.0f - fabs(dot3(curve.normal, from_eye)), REAL(0.0f)), exponent);
   real3 rim = scale3(edge, uniform3(p->rim[0], p->rim[1], p->rim[2]));
 #if STRAND_LAYERS
 #define OWN_RIM(i) bits_as_real(gather_whole(layers, layer + (LAYER_RIM + i)))

@@ -33,7 +33,7 @@ typedef struct {
   float taper, opacity;
   float light[3];              // unit vector towards the key light in camera axes: right, down, forward
   float intensity, ambient, exponent;
-  int whole_exponent;          // the exponent if it is an integer from 1 to 1024, else 0
+  int whole_exponent;          // the exponent if it is an integer from 1 to 1024 and that of all layers, else 0
   float specular[3], background[3];
   float fill[27];              // irradiance of the fill lights: nine coefficients each for red, green and blue
   float rim[3], rim_exponent;
@@ -84,7 +84,7 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #define STRAND_LIGHTS 1
 #endif
 
-// 1: some fur layer has a factor of opacity, taper, gloss or rim light other than 1.
+// 1: some fur layer has a factor of its look other than 1.
 #ifndef STRAND_LAYERS
 #define STRAND_LAYERS 0
 #endif
@@ -112,17 +112,21 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #define LEAST_THROUGH 9.5367431640625e-7f    // least transmittance whose logarithm is the optical depth of a texel, 2^-20
 #define NO_DEPTH 1e30f                       // depth of a texel without fragments, and of a pixel without skin
 
-// Integers in a frame of the film strip: its samples, and then the bits of the layer's factors of opacity, taper and gloss.
+// Integers in a frame of the film strip: its samples, and then the bits of the layer's factors of opacity, taper, gloss,
+// exponent and skin_shadow.
 // Kernels that are built with STRAND_LAYERS 0 do not use the factors. If they are not all 1, each layer has frames of its own.
 #define FILM_SAMPLES 8
 #define FILM_OPACITY 8
 #define FILM_TAPER 9
 #define FILM_GLOSS 10
-#define FILM_RECORD 12
+#define FILM_EXPONENT 11
+#define FILM_SKIN_SHADOW 12
+#define FILM_RECORD 13
 
 // Integers in the record of a fur layer: its rank, its first film frame, its number of film frames, and the bits of its three
-// factors of the rim light; two unused integers.
+// factors of the rim light and of its factor of rim_exponent; one unused integer.
 #define LAYER_RIM 3
+#define LAYER_RIM_EXPONENT 6
 #define LAYER_RECORD 8
 
 // Width of a tile in pixels: 16, 32, 64 or 128. A tile is square and has at most 16 x 16 blocks of 8 x 8 pixels.

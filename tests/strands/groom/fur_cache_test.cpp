@@ -63,6 +63,8 @@ TEST_F(FurCache, DoesNotGrowFurAgainForOtherKeys) {
   scene_.layers.front().order_offset = -2;
   scene_.layers.front().opacity = 0.4f;
   scene_.layers.front().gloss = 3;
+  scene_.layers.front().exponent = scene_.layers.front().rim_exponent = 2;
+  scene_.layers.front().skin_shadow = 0.5f;
   scene_.layers.front().rim = {1, 0, 2};
   scene_.fraction = 0.5f;
   scene_.chain.stiffness = 77;

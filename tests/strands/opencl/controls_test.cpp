@@ -14,14 +14,21 @@ namespace {
 
 /// Three layers; two have looks of their own.
 std::vector<LayerLook> own_looks() {
-  return {{.rank = 2, .opacity = 0.5f, .taper = 0.3f, .gloss = 0, .rim = {2, 0.5f, 0}},
-          {.rank = 0, .opacity = 1.1f, .taper = 1.1f, .gloss = 3, .rim = {0, 0, 4}},
+  return {{.rank = 2, .opacity = 0.5f, .taper = 0.3f, .gloss = 0, .rim = {2, 0.5f, 0}, .rim_exponent = 0.5f},
+          {.rank = 0,
+           .opacity = 1.1f,
+           .taper = 1.1f,
+           .gloss = 3,
+           .exponent = 0.3f,
+           .rim = {0, 0, 4},
+           .skin_shadow = 0.5f},
           {.rank = 1}};
 }
 
 DrawingScene scene_of_layers() {
   DrawingScene scene = ball_scene(200, 130);
   scene.look.rim = {0.3f, 0.3f, 0.2f};
+  scene.look.skin_shadow = 0.6f;
   scene.look.layers = own_looks();
   return scene;
 }
@@ -37,7 +44,9 @@ TEST(LayerLooks, AreThoseOfTheReference) {
   const Picture first = draw_on_device(scene, ball).picture;
   for (const auto& change : std::vector<std::function<void(LayerLook&)>>{
            [](LayerLook& l) { l.opacity = 0.9f; }, [](LayerLook& l) { l.taper = 0.8f; },
-           [](LayerLook& l) { l.gloss = 1; }, [](LayerLook& l) { l.rim.z = 1; }}) {
+           [](LayerLook& l) { l.gloss = 1; }, [](LayerLook& l) { l.rim.z = 1; },
+           [](LayerLook& l) { l.exponent = 1; }, [](LayerLook& l) { l.rim_exponent = 2; },
+           [](LayerLook& l) { l.skin_shadow = 1.5f; }}) {
     scene.look.layers = own_looks();
     change(scene.look.layers[1]);
     EXPECT_NE(draw_on_device(scene, ball).picture.pixel, first.pixel);
@@ -72,16 +81,22 @@ TEST(LayerLooks, OfEqualFactorsArePicturesOfTheCommonLook) {
   scene.look.layers = {{.rank = 0}, {.rank = 1}};
   scene.look.opacity = 0.5f;
   scene.look.taper = 0.25f;
+  scene.look.exponent = 17.5f;  // not a whole number, for which the kernels multiply
+  scene.look.rim_exponent = 3;
+  scene.look.skin_shadow = 0.5f;
   const Picture common = draw_on_device(scene, ball).picture;
   for (LayerLook& layer : scene.look.layers) {
     layer.opacity = 0.5f;
-    layer.taper = layer.gloss = 2;
+    layer.taper = layer.gloss = layer.exponent = layer.skin_shadow = layer.rim_exponent = 2;
     layer.rim = glm::vec3(0.5f);
   }
   scene.look.opacity = 1;
   scene.look.taper = 0.125f;
   scene.look.specular *= 0.5f;
   scene.look.rim *= 2.0f;
+  scene.look.exponent /= 2;
+  scene.look.rim_exponent /= 2;
+  scene.look.skin_shadow /= 2;
   EXPECT_EQ(draw_on_device(scene, ball).picture.pixel, common.pixel) << "powers of 2 are exact";
 }
 
@@ -90,8 +105,10 @@ TEST(LayerLooks, WrongValuesAreRefused) {
   EXPECT_THROW(draw_on_device(scene_of_layers(), Ball(100, 4)), InputError) << "a layer without an entry";
   for (const LayerLook& wrong :
        {LayerLook{.opacity = 1.2f}, LayerLook{.opacity = -1}, LayerLook{.taper = 1.2f},
-        LayerLook{.gloss = -1}, LayerLook{.rim = {0, -1, 0}}}) {
+        LayerLook{.gloss = -1}, LayerLook{.rim = {0, -1, 0}}, LayerLook{.exponent = 0.001f},
+        LayerLook{.rim_exponent = 0.1f}, LayerLook{.skin_shadow = -1}}) {
     DrawingScene scene = ball_scene(100, 100);
+    scene.look.skin_shadow = 0.5f;
     scene.look.layers = {wrong};
     EXPECT_THROW(draw_on_device(scene, ball), InputError);
   }

@@ -1,7 +1,7 @@
 // Compiles the kernels' functions for pictures of strands as C++ in double precision, and compares their
 // results with the reference and with the formulas of docs/strands.md, section Drawing.
 #define STRAND_SHADOW 2  // the kernels read the opacity map as SHADOW_EXPONENTIAL
-#define STRAND_LAYERS 1  // fur layers have factors of opacity, taper and gloss
+#define STRAND_LAYERS 1  // fur layers have looks of their own
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -92,12 +92,35 @@ DrawParams params() {
 
 TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
   const DrawParams p = params();
-  constexpr float own_opacity = 0.7f, own_taper = 1.1f, own_gloss = 1.7f;
+  constexpr float own_opacity = 0.7f, own_taper = 1.1f, own_gloss = 1.7f, own_exponent = 0.6f,
+                  own_skin = 0.8f;
   const auto bits = [](float value) { return std::bit_cast<std::int32_t>(value); };
-  const std::array<std::int32_t, 2 * std::size_t(FILM_RECORD)> film{
-      0x10ff80, 0x20e070, 0x30c060, 0x40a050, 0x508040,          0x606030,        0x704020,        0x802010,
-      0,        0,        0,        0,        0xff8080,          0xef7090,        0xdf60a0,        0xcf50b0,
-      0xbf40c0, 0xaf30d0, 0x9f20e0, 0x8f10f0, bits(own_opacity), bits(own_taper), bits(own_gloss), 0};
+  const std::array<std::int32_t, 2 * std::size_t(FILM_RECORD)> film{0x10ff80,
+                                                                    0x20e070,
+                                                                    0x30c060,
+                                                                    0x40a050,
+                                                                    0x508040,
+                                                                    0x606030,
+                                                                    0x704020,
+                                                                    0x802010,
+                                                                    0,
+                                                                    0,
+                                                                    0,
+                                                                    0,
+                                                                    0,
+                                                                    0xff8080,
+                                                                    0xef7090,
+                                                                    0xdf60a0,
+                                                                    0xcf50b0,
+                                                                    0xbf40c0,
+                                                                    0xaf30d0,
+                                                                    0x9f20e0,
+                                                                    0x8f10f0,
+                                                                    bits(own_opacity),
+                                                                    bits(own_taper),
+                                                                    bits(own_gloss),
+                                                                    bits(own_exponent),
+                                                                    bits(own_skin)};
   std::array<float, 64> map{};
   for (std::size_t i = 0; i < 16; ++i) {
     map[4 * i] = 0.1f * float(i % 3);              // least depth
@@ -138,7 +161,7 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
     const double mirror = std::max(0.0, glm::dot(tangent, light) * glm::dot(tangent, from_eye) +
                                             sine(tangent, light) * sine(tangent, from_eye));
     const double height = std::min(1.0, std::max(0.0, 2 * t * (1 - t) * 0.3 + t * t * 0.9));
-    const double shadow = 1 - double(p.skin_shadow) * (1 - height);
+    const double shadow = 1 - double(p.skin_shadow) * double(own_skin) * (1 - height);
     const double shadow_depth = double(p.map_z[2]) * at.z + double(p.map_z[3]);
     const double x = double(p.map_x[0]) * at.x / double(p.pixel) + double(p.map_x[3]);
     const double y = double(p.map_y[1]) * at.y / double(p.pixel) + double(p.map_y[3]);
@@ -156,7 +179,7 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
       const double lit = steady[c] + key * double(p.intensity) *
                                          (colour[c] * sine(tangent, light) +
                                           double(own_gloss) * factor(1) / 128 * double(p.specular[c]) *
-                                              std::pow(mirror, double(p.exponent)));
+                                              std::pow(mirror, double(p.exponent) * double(own_exponent)));
       EXPECT_NEAR(glm_of(v.colour)[c], shadow * factor(0) / 128 * lit, 1e-6) << k << ", colour " << c;
     }
   }

@@ -36,7 +36,10 @@ Scene scene_of() {
   s.layers[1].opacity = 0.6f;
   s.layers[1].taper = 0.5f;
   s.layers[1].gloss = 3;
+  s.layers[1].exponent = 0.5f;
   s.layers[1].rim = {0, 2, 1};
+  s.layers[1].rim_exponent = 2;
+  s.layers[1].skin_shadow = 0.5f;
   s.layers[1].response = 1.5f;
   return scene;
 }
@@ -90,7 +93,9 @@ TEST(WholeLook, OfEveryControlIsThatOfTheReference) {
               s.fills.clear();
               s.skin_shadow = 0;
               for (StrandLayerScene& layer : s.layers)
-                layer.opacity = layer.taper = layer.gloss = 1, layer.rim = glm::vec3(1);
+                layer.opacity = layer.taper = layer.gloss = layer.exponent = layer.rim_exponent =
+                    layer.skin_shadow = 1,
+                layer.rim = glm::vec3(1);
             }}}) {
     Scene scene = scene_of();
     change(scene.strands);
