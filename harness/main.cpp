@@ -3,6 +3,7 @@
 // (command merge); 5 regression; 130 or 143 interrupted by a signal.
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -49,9 +50,21 @@ int run(const Chosen& command) {
   return code;
 }
 
+/// If SIGHUP is ignored, as nohup asks, blocks it too: the compiler of an OpenCL driver installs handlers for
+/// it, and a hangup would then end the build of a kernel.
+void keep_ignoring_hangups() {
+  struct sigaction now = {};
+  if (sigaction(SIGHUP, nullptr, &now) != 0 || now.sa_handler != SIG_IGN) return;
+  sigset_t hangup;
+  sigemptyset(&hangup);
+  sigaddset(&hangup, SIGHUP);
+  sigprocmask(SIG_BLOCK, &hangup, nullptr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_ignoring_hangups();
   // Each line of stdout is written at once, also into a pipe. In `pelage report ... 2>&1 | less`, a message
   // on stderr therefore never interrupts a line of stdout.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);

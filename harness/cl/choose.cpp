@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <boost/algorithm/string/predicate.hpp>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 
@@ -71,6 +72,10 @@ std::vector<std::size_t> by_name(const std::vector<DeviceInfo>& all, std::string
 }  // namespace
 
 std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, std::string_view origin) {
+  if (const char* named = std::getenv("POCL_DEVICES"); all.empty() && named && *named != '\0')
+    throw NoDeviceError(fmt::format(
+        "no OpenCL device found: the environment variable POCL_DEVICES is '{}', which may name none; unset it, or give basic or pthread",
+        named));
   if (all.empty())
     throw NoDeviceError(
         "no OpenCL device found: install a driver (Debian: pocl-opencl-icd for the CPU, nvidia-opencl-icd for NVIDIA) and check that clinfo lists it");

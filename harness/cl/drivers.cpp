@@ -84,6 +84,8 @@ void pin_threads() {
   std::vector<int> cores;
   for (int i = 0; i < CPU_SETSIZE; ++i)
     if (CPU_ISSET(i, &set)) cores.push_back(i);
+  // PoCL ends the process if it cannot pin a thread to a core of its own.
+  if (std::atoi(environment("POCL_MAX_PTHREAD_COUNT").c_str()) > int(cores.size())) return;
   if (may_pin(cores, int(::sysconf(_SC_NPROCESSORS_ONLN)))) ::setenv("POCL_AFFINITY", "1", 0);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "harness/atomic_file.hpp"
 #include "harness/cl/builds.hpp"
 #include "harness/cl/kernel_cache.hpp"
 #include "harness/error.hpp"
@@ -35,7 +36,7 @@ class IncludePath {
  public:
   explicit IncludePath(const fs::path& folder) : path_(folder) {
     if (folder.string().find(' ') == std::string::npos) return;
-    std::string name = (fs::temp_directory_path() / "pelage-XXXXXX").string();
+    std::string name = (temporary_folder() / "pelage-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw DeviceError(fmt::format("{}: cannot be created", name));
     parent_ = name;
     path_ = parent_ / "kernels";

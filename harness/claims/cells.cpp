@@ -13,6 +13,7 @@
 #include "harness/base/median.hpp"
 #include "harness/hash.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/measure/interruptions.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -91,7 +92,7 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
   std::map<std::tuple<std::map<std::string, std::string>, std::string>, std::size_t> known;
   for (const Row* row : rows) {
     if (!covers(claim, *row)) continue;
-    result.contended += !load_warning(*row).empty();
+    result.contended += !load_warning(*row).empty() || !interruption_warning(*row).empty();
     for (Cell& cell : empty_cells(claim, *row)) {
       const auto [place, added] = known.try_emplace({cell.axes, cell.name}, result.cells.size());
       if (added) result.cells.push_back(std::move(cell));

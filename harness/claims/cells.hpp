@@ -29,7 +29,7 @@ struct Cells {
   /// Names of the selected cases that are not used, each with the reason in round brackets: a row of the case
   /// lacks the values from which the claim's quantity is computed.
   std::vector<std::string> left_out;
-  /// Number of rows with a load_warning() (harness/measure/cpu_use.hpp).
+  /// Number of rows with a load_warning() or an interruption_warning() (harness/measure).
   std::size_t contended = 0;
 };
 

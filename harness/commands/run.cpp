@@ -16,6 +16,7 @@
 #include "harness/experiment/balance.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/interrupt.hpp"
+#include "harness/measure/interruptions.hpp"
 #include "harness/measure/provenance.hpp"
 #include "harness/measure/runner.hpp"
 #include "harness/measure/statistics.hpp"
@@ -262,6 +263,8 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     keep_picture(row);
     if (row.status != Status::ok && isatty(STDERR_FILENO))
       progress.note(fmt::format("{}: {}", row.case_name, told(row)));
+    if (const std::string warning = interruption_warning(row); !warning.empty())
+      fmt::print(stderr, "pelage: warning: {}\n", warning);
     if (const std::string warning = load_warning(row); !warning.empty())
       progress.note("pelage: warning: " + warning);
     progress.finish(told(row));

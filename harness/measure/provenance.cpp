@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "harness/hash.hpp"
+#include "harness/measure/interruptions.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {
@@ -127,6 +128,11 @@ nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info) {
   for (const char* name : kPoclVariables)
     if (const char* value = std::getenv(name); value && info.cpu) environment[name] = value;
   if (!environment.empty()) json["environment"] = environment;
+  if (info.cpu) {  // only where the process has less than the whole machine, because the rows' identity has
+                   // them
+    if (const int cores = usable_cores(); cores < sysconf(_SC_NPROCESSORS_ONLN)) json["usable_cores"] = cores;
+    if (const auto quota = cpu_quota()) json["cpu_quota"] = *quota;
+  }
   json["timer"] = info.timer_resolution_ns > 0 ? "OpenCL events and the wall clock" : "the wall clock";
   json["timer_resolution_ns"] = info.timer_resolution_ns;
   return json;

@@ -11,6 +11,7 @@
 #include "harness/hash.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/interrupt.hpp"
+#include "harness/measure/interruptions.hpp"
 #include "harness/measure/provenance.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/picture/image_io.hpp"
@@ -99,8 +100,10 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     row.provenance["cpu_mhz"] = cpu_mhz();
     const auto sampling_from = std::chrono::steady_clock::now();
     const CpuWatch watch;
+    const Interruptions before = interruptions();
     const Sampling sampling = take_samples([&subject] { return subject->frame(); }, limits);
     if (const std::optional<double> share = watch.other_share()) row.provenance["other_cpu_share"] = *share;
+    add_interruptions(row, before, interruptions());
     row.provenance["sampling_s"] = seconds_since(sampling_from);
     row.provenance["load_after"] = load_average();
     row.provenance["cpu_mhz_after"] = cpu_mhz();

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "harness/atomic_file.hpp"
 #include "harness/hash.hpp"
 
 namespace pelage {
@@ -44,7 +45,7 @@ std::filesystem::path cache_folder() {
     return std::filesystem::path(folder) / "pelage";
   if (const char* home = std::getenv("HOME"); home && *home)
     return std::filesystem::path(home) / ".cache" / "pelage";
-  return std::filesystem::temp_directory_path() / "pelage-cache";
+  return temporary_folder() / "pelage-cache";
 }
 
 std::string Writer::sealed(std::string_view title) {

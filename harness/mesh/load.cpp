@@ -293,10 +293,16 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
         fmt::format("{}: the rotation is {}, {} and {} degrees; each angle must be -360 to 360 degrees",
                     source.label, rotate.x, rotate.y, rotate.z));
   const Say say = options.progress ? options.progress : [](const std::string&) {};
+  const bool from_file = source.kind == "file";
   const std::filesystem::path cached =
       cache_folder() / "meshes" / fmt::format("{}-{}.mesh", model.name, key_of(model, source, options));
   if (const auto kept = options.cache ? read_cache_file(cached) : std::nullopt)
-    if (auto mesh = decode(*kept)) return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
+    if (auto mesh = decode(*kept)) {
+      if (from_file)
+        for (const std::string& note : mesh->notes) say(fmt::format("{}: {}", source.label, note));
+      mesh->from_file = from_file;
+      return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
+    }
   say(fmt::format("{}: preparing the mesh; this is done once", source.label));
   const std::string bytes = isolated(
       source.label, limits_for(model, source),
@@ -304,6 +310,7 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   auto mesh = decode(bytes);
   if (!mesh)
     throw std::runtime_error(fmt::format("{}: the preparing process returned a damaged mesh", model.name));
+  mesh->from_file = from_file;
   if (options.cache && !write_cache_file(cached, bytes))
     say(fmt::format("{} could not be written; the mesh is not cached", cached.string()));
   return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));

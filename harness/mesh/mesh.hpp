@@ -32,6 +32,7 @@ struct Mesh {
   /// Descriptions of the steps of the preparation, one line per step: repairs, remeshing, method of the UV
   /// map.
   std::vector<std::string> notes;
+  bool from_file = false;  ///< true: the mesh is not one of pelage's models, so its notes are warnings
   /// Positions of the surface points in each frame of a mesh that moves and deforms (read_mesh_frames()), R.
   /// Empty: the mesh does not deform. If there are frames, `hash` also depends on them.
   std::vector<std::vector<glm::vec3>> frames;
@@ -48,7 +49,8 @@ struct MeshOptions {
   bool largest_only = false;  ///< true: keep only the largest component of a file
   bool cache = true;          ///< true: read and write the cache of prepared meshes
   /// Callback that receives progress messages during the preparation, which takes seconds to minutes. It also
-  /// receives the lines of Mesh::notes. If the mesh is read from the cache, the callback is not called.
+  /// receives the lines of Mesh::notes. If a mesh is read from the cache, the callback receives only the
+  /// notes of a mesh file.
   std::function<void(const std::string&)> progress;
   double silent_s = 2;  ///< no messages about stages of the preparation during its first `silent_s` seconds
 };

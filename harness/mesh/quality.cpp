@@ -147,6 +147,12 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
   return warnings;
 }
 
+std::vector<std::string> mesh_warnings(const Mesh& mesh) {
+  std::vector<std::string> warnings = mesh.from_file ? mesh.notes : std::vector<std::string>();
+  for (std::string& warning : uv_warnings(mesh)) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
 UvQuality uv_quality(const Mesh& mesh, int side) {
   UvQuality quality{};
   double uv_area = 0, flipped = 0, surface_area = 0;  // all doubled

@@ -47,6 +47,9 @@ UvQuality uv_quality(const Mesh& mesh, int side = 2048);
 /// reports overlap: several faces cover at least 0.01% of the covered texels of a grid of 2048 x 2048 texels.
 std::vector<std::string> uv_warnings(const Mesh& mesh);
 
+/// Returns the notes of a mesh file, and then its uv_warnings().
+std::vector<std::string> mesh_warnings(const Mesh& mesh);
+
 /// Returns the chart number of each face. Charts are numbered from 0 in the order of their first faces. Two
 /// faces that share an edge belong to the same chart if they have the same vertices, and therefore the same
 /// UV, at both ends of the edge.

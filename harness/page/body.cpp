@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "harness/claims/print.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/page/page.hpp"
 #include "harness/page/parts.hpp"
@@ -96,14 +97,23 @@ void add_provenance(Body& body, const std::vector<Report>& reports) {
   }
 }
 
-/// Returns the answers of all sections, one paragraph each. If there are several, each has its section's
-/// title.
+/// Returns the verdicts on the claims of the user's file, one paragraph each, and then the answers of all
+/// sections, one paragraph each. If there are several answers, each has its section's title.
 std::string answers_of(const std::vector<Report>& reports) {
   std::vector<const Table*> tables;
   for (const Report& report : reports)
     for (const Section& section : report.sections)
       if (!section.table.answer.empty()) tables.push_back(&section.table);
   std::string html;
+  for (const Report& report : reports)
+    for (const claims::Judged& one : report.claims)
+      if (!report.claims_file.empty() && one.claim.ours())
+        html += fmt::format(
+            "<p class=\"lead\"><b>{}:</b> {}</p>\n", to_text(one.verdict),
+            html_text(one.value ? fmt::format("{} ({}: {}{}; the claim: {})", one.claim.statement,
+                                              claims::description_of(one.claim), claims::effect_text(one),
+                                              claims::effects_text(one), one.claim.relation)
+                                : fmt::format("{} ({})", one.claim.statement, one.reason)));
   for (const Table* table : tables)
     html += fmt::format("<p class=\"lead\">{}{}</p>\n",
                         tables.size() > 1 ? fmt::format("<b>{}.</b> ", html_text(table->title)) : "",

@@ -181,7 +181,7 @@ Picture read_picture(const fs::path& path) {
 
 std::string webp_of(const Picture& picture, int quality) {
   // OpenImageIO cannot write WebP to memory, so the picture is written to a temporary file.
-  std::string folder = (fs::temp_directory_path() / "pelage-webp-XXXXXX").string();
+  std::string folder = (temporary_folder() / "pelage-webp-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr)
     throw InputError(fmt::format("WebP: the folder {} cannot be made", folder));
   struct Remove {

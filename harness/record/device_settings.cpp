@@ -11,8 +11,9 @@ namespace {
 using Settings = std::map<std::string, std::string>;
 
 /// Keys of the provenance, the most telling first. With a number of threads, PoCL's compute units change too.
-constexpr const char* keys[] = {"compute_units",    "lanes",  "pocl_affinity", "platform",
-                                "platform_version", "driver", "device_version"};
+constexpr const char* keys[] = {"compute_units", "usable_cores", "cpu_quota",        "lanes",
+                                "pocl_affinity", "platform",     "platform_version", "driver",
+                                "device_version"};
 
 std::string text_of(const nlohmann::ordered_json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();

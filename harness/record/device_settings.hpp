@@ -7,10 +7,11 @@
 namespace pelage {
 
 /// If rows of one experiment, device and host have equal names, and their identities differ in the part
-/// "device" alone, adds those settings to Row::axes in which they differ: "compute_units", "lanes", a version
-/// such as "driver", or an environment variable such as POCL_WORK_GROUP_METHOD ("unset" for rows without it).
-/// All rows of that experiment, device and host get these axes. A setting that tells no more rows apart is
-/// not added. If some of these rows also differ in another part, none gets an axis.
+/// "device" alone, adds those settings to Row::axes in which they differ: "compute_units", "usable_cores",
+/// "cpu_quota", "lanes", a version such as "driver", or an environment variable such as
+/// POCL_WORK_GROUP_METHOD ("unset" for rows without it). All rows of that experiment, device and host get
+/// these axes. A setting that tells no more rows apart is not added. If some of these rows also differ in
+/// another part, none gets an axis.
 void add_settings_as_axes(std::vector<FoundRow>& rows);
 
 /// Whether add_settings_as_axes() may have added the axis: a setting of a device does not change pictures.

@@ -58,7 +58,7 @@ std::string device_hash(const nlohmann::ordered_json& provenance) {
   nlohmann::ordered_json json;
   for (const char* key :
        {"platform", "platform_version", "device_name", "device_version", "driver", "compute_units", "lanes",
-        "pocl_affinity", "environment", "timer", "timer_resolution_ns"})
+        "pocl_affinity", "environment", "usable_cores", "cpu_quota", "timer", "timer_resolution_ns"})
     if (const auto found = provenance.find(key); found != provenance.end()) json[key] = *found;
   return Hash().text(json_line(json)).hex();
 }

@@ -49,14 +49,16 @@ Contents parse(const fs::path& file, std::string_view text) {
     const std::size_t end = text.find('\n', result.good);
     if (end == std::string_view::npos) break;
     ++line_number;
+    std::string_view line = text.substr(result.good, end - result.good);
+    if (line.ends_with('\r')) line.remove_suffix(1);  // git writes it where core.autocrlf is set
     try {
-      all.push_back(row_from_line(text.substr(result.good, end - result.good)));
+      all.push_back(row_from_line(line));
     } catch (const NewerSchema& error) {
       throw InputError(fmt::format("{}:{}: {}", file.string(), line_number, error.what()));
     } catch (const InputError& error) {
-      throw InputError(
-          fmt::format("{}:{}: damaged: {}; if you delete this line, --resume runs its case again",
-                      file.string(), line_number, error.what()));
+      throw InputError(fmt::format(
+          "{}:{}: damaged: {}; restore this line from a copy, or delete it, and --resume runs its case again",
+          file.string(), line_number, error.what()));
     }
     const std::string key = row_key(all.back());
     if (result.keys.contains(key))

@@ -210,7 +210,7 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   columns.push_back({{"drift", "drift"}, [](const Cell& c) {
                        return number_value(timed(c) ? std::optional(c.drift) : std::nullopt);
                      }});
-  text("contended", [](const Cell& c) { return std::string(c.contended ? "1" : "0"); });
+  text("contended", [](const Cell& c) { return std::string(c.contended || c.interrupted ? "1" : "0"); });
   add_phases(columns, cells);
   add_metrics(columns, cells);
   return columns;
@@ -305,7 +305,7 @@ void sort_cells(std::vector<Cell>& cells) {
 }
 
 std::string marks_of(const Cell& cell) {
-  return std::string(cell.converged ? "" : "*") + (cell.contended ? "!" : "");
+  return std::string(cell.converged ? "" : "*") + (cell.contended || cell.interrupted ? "!" : "");
 }
 
 std::string interval_text(const Metric& ratio) {
@@ -326,6 +326,9 @@ std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {
   if (any([](const Cell& c) { return !c.converged; }))
     remarks.emplace_back("* the 95% interval of the median is wider than the preset requires.");
   if (any([](const Cell& c) { return c.contended; })) remarks.push_back(contended_remark());
+  if (any([](const Cell& c) { return c.interrupted; }))
+    remarks.emplace_back(
+        "! pelage was throttled by its cgroup, stopped, or asleep with the machine while the case was timed.");
   return remarks;
 }
 

@@ -12,6 +12,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/measure/interruptions.hpp"
 
 namespace pelage {
 namespace {
@@ -80,6 +81,7 @@ void add(Cell& cell, const Row& row) {
     cell.reason = row.reason;
   }
   cell.contended = cell.contended || !load_warning(row).empty();
+  cell.interrupted = cell.interrupted || !interruption_warning(row).empty();
   if (const std::string hash = provenance_text(row, "picture_hash"); !hash.empty())
     cell.picture_hashes.insert(hash);
   if (!row.image_hash.empty()) cell.pixel_hashes.insert(row.image_hash);

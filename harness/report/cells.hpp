@@ -28,8 +28,9 @@ struct Cell {
   /// Name of each metric -> its values, one for each combined row (each from a separate process), in their
   /// order.
   std::map<std::string, std::vector<double>> runs;
-  Timings timings;         ///< for each process, its start time and the wall times of its frames
-  bool contended = false;  ///< whether a row was timed on a loaded machine (harness/measure/cpu_use.hpp)
+  Timings timings;           ///< for each process, its start time and the wall times of its frames
+  bool contended = false;    ///< whether a row was timed on a loaded machine (harness/measure/cpu_use.hpp)
+  bool interrupted = false;  ///< whether a row has an interruption_warning()
   /// Name of each phase other than "frame" -> median of its times in ms (times_of()).
   std::map<std::string, double> phase_ms;
   std::optional<double> cpu_ms;  ///< median of the CPU times of frames, in ms

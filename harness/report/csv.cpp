@@ -8,6 +8,7 @@
 #include <set>
 
 #include "harness/measure/cpu_use.hpp"
+#include "harness/measure/interruptions.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/report/cells.hpp"
 #include "harness/table/render.hpp"
@@ -28,6 +29,7 @@ struct Columns {
 };
 
 std::string contended_text(const Row& row) {
+  if (!interruption_warning(row).empty()) return "1";
   if (!row.provenance.contains("other_cpu_share")) return {};
   return load_warning(row).empty() ? "0" : "1";
 }

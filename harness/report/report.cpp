@@ -1,6 +1,7 @@
 #include "harness/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -138,6 +139,22 @@ void note_load(Report& report, const std::vector<FoundRow>& rows) {
         loaded, timed, 100 * most_other_share));
 }
 
+/// Adds what the preparation of the users' meshes found (Row::provenance, mesh_warnings), once for each mesh.
+void note_meshes(Report& report, const std::vector<FoundRow>& rows) {
+  std::set<std::string> named;
+  for (const FoundRow& found : rows) {
+    const auto warnings = found.row.provenance.find("mesh_warnings");
+    const auto model = found.row.axes.find("model");
+    if (warnings == found.row.provenance.end() || !warnings->is_array() || warnings->empty()) continue;
+    const std::string name = model != found.row.axes.end() ? model->second : found.row.case_name;
+    if (!named.insert(name).second) continue;
+    std::vector<std::string> texts;
+    for (const auto& text : *warnings)
+      if (text.is_string()) texts.push_back(text.get<std::string>());
+    report.notes.push_back(fmt::format("the mesh of {}: {}", name, fmt::join(texts, "; ")));
+  }
+}
+
 void note_copies(Report& report, const std::vector<FoundRow>& rows) {
   const auto copied = std::ranges::count_if(rows, [](const FoundRow& f) { return !f.copies.empty(); });
   if (copied > 0)
@@ -193,6 +210,7 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   report.notes = std::move(notes);
   note_copies(report, rows);
   note_load(report, rows);
+  note_meshes(report, rows);
   report.cells = cells_of(rows);
   std::set<std::string> devices;
   std::set<std::pair<std::string, std::string>> machines;

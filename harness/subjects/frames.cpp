@@ -76,7 +76,7 @@ void Frames::describe(Row& row) {
     row.provenance["kernel_hash"] = cl::hash_of(programs);
   }
   row.provenance["mesh_hash"] = mesh_->hash;
-  row.provenance["mesh_warnings"] = uv_warnings(*mesh_);
+  row.provenance["mesh_warnings"] = mesh_warnings(*mesh_);
   row.provenance["scene_hash"] = scene_hash(scene_);
   row.provenance["check_seed"] = seed_;
   if (found.opengl_renderer.empty()) return;

@@ -23,7 +23,10 @@ def _value(text):
 
 
 def _contended(provenance):
-    """Returns whether other processes used more than 10% of the CPU time; None if the row does not record this."""
+    """Returns whether other processes used more than 10% of the CPU time, or the process was kept from running; None if
+    the row does not record this."""
+    if any(name in provenance for name in ("throttled", "stops", "suspended_s")):
+        return True
     share = provenance.get("other_cpu_share")
     return None if share is None else share > 0.1
 

@@ -144,7 +144,7 @@ def read_journal(file):
     rows = {}
     for count, line in enumerate(text.split(b"\n")[:-1], 1):
         try:
-            row = parse_line(line)
+            row = parse_line(line.removesuffix(b"\r"))  # git writes it where core.autocrlf is set
         except ResultsError as error:
             raise ResultsError(f"{file}:{count}: damaged: {error}") from None
         key = key_of(row)

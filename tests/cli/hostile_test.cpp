@@ -69,7 +69,8 @@ TEST_F(Hostile, ABadLineOfAJournalNamesTheRemedyWhichWorks) {
   const std::string journal = journal_in(folder, "out"), good = folder.read(journal);
   folder.write(journal, "damaged" + good);
   for (const char* command : {"run own.toml --resume out", "report out -o page"})
-    expect_refused(pelage(command), "if you delete this line, --resume runs its case again");
+    expect_refused(pelage(command),
+                   "restore this line from a copy, or delete it, and --resume runs its case again");
   folder.write(journal, good.substr(good.find('\n') + 1));
   expect_has(done("run own.toml --resume out").err, "1 cases ok");
 }

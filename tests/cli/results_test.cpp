@@ -157,7 +157,9 @@ TEST_F(Results, AReportJudgesTheUsersClaims) {
       "rows = { experiment = \"own\" }\n"
       "effect = { name = \"ratio\", of = { layers = 8 }, to = { layers = 4 } }\nrelation = { below = 100 }\n");
   expect_has(done("report first -o page --claims my.toml").out, "Eight layers take less than 100 times");
-  expect_has(folder.read("page/index.html"), {"Claims of my.toml", "Eight layers take less than 100 times"});
+  const std::string page = folder.read("page/index.html");
+  expect_has(page, "Claims of my.toml");
+  expect_has(page.substr(0, page.find("<nav")), "<b>holds:</b> Eight layers take less than 100 times");
   expect_refused(pelage("report first -o page --claims none.toml"), "none.toml");
 }
 
@@ -181,6 +183,14 @@ TEST_F(Results, CsvGoesToLinksPipesAndDevices) {
   done("export first --csv link.csv");
   EXPECT_TRUE(fs::is_symlink(folder.path / "link.csv"));
   EXPECT_EQ(folder.read("real.csv"), expected);
+  fs::create_directory(folder.path / "deep");
+  fs::create_symlink("deep/link.csv", folder.path / "dangling.csv");
+  fs::create_symlink("../new.csv", folder.path / "deep/link.csv");
+  done("export first --csv dangling.csv");
+  EXPECT_EQ(folder.read("new.csv"), expected);
+  EXPECT_TRUE(fs::is_symlink(folder.path / "dangling.csv") && fs::is_symlink(folder.path / "deep/link.csv"));
+  fs::create_symlink("round.csv", folder.path / "round.csv");
+  expect_refused(pelage("export first --csv round.csv"), "round.csv: cannot be written");
   expect_refused(pelage("export first --csv /dev/full"), "/dev/full: cannot be written");
   EXPECT_FALSE(fs::is_regular_file("/dev/full"));
   ASSERT_EQ(shell("mkfifo pipe"), 0);

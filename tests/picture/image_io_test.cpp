@@ -176,6 +176,68 @@ TEST_F(ImageIo, DamagedBytesNeverCrash) {
   EXPECT_GT(refused, 0);
 }
 
+/// A picture of tests/picture/strangers, which other programs wrote.
+Picture stranger(const std::string& name) {
+  return read_picture(fs::path(PELAGE_SOURCE_DIR) / "tests/picture/strangers" / name);
+}
+
+/// The largest difference of a colour, without alpha.
+float colour_difference(const Picture& a, const Picture& b) {
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  float largest = 0;
+  for (std::size_t i = 0; i < a.pixel.size() && i < b.pixel.size(); ++i)
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a.pixel[i][c] - b.pixel[i][c]));
+  return largest;
+}
+
+TEST(Strangers, ColoursAreAsStoredWhateverAlphaAndGammaAre) {
+  for (const char* name :
+       {"rgba255.png", "rgba-alpha.png", "rgba-alpha0.png", "rgba-alpha-gama.png", "gama1.png"})
+    EXPECT_EQ(colour_difference(stranger(name), stranger("rgb.png")), 0) << name;
+  EXPECT_LE(colour_difference(stranger("rgb16.png"), stranger("rgb.png")), 1 / 255.0f);
+  EXPECT_EQ(colour_difference(stranger("map-la.png"), stranger("map.png")), 0);
+  EXPECT_EQ(colour_difference(stranger("map-la-opaque.png"), stranger("map.png")), 0);
+}
+
+/// Returns the picture whose pixel (x, y) is at(x, y).
+template <class At>
+Picture rearranged(const Picture& picture, const At& at) {
+  Picture result = picture;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) result.at(x, y) = at(x, y);
+  return result;
+}
+
+// The files store the pixels of rgb.png. exif6.jpg is turned clockwise and orient4.tif is upside down;
+// crop.exr has only the middle of the picture.
+TEST(Strangers, WindowsArePlacedAndOrientationsApplied) {
+  const Picture rgb = stranger("rgb.png"), full = stranger("full.exr");
+  ASSERT_EQ(rgb.width, 64);
+  const Picture turned = rearranged(rgb, [&](int x, int y) { return rgb.at(y, 63 - x); });
+  EXPECT_LT(colour_difference(stranger("exif6.jpg"), turned), 0.05f);
+  const Picture upside_down = rearranged(rgb, [&](int x, int y) { return rgb.at(x, 63 - y); });
+  EXPECT_EQ(colour_difference(stranger("orient4.tif"), upside_down), 0);
+  const auto inside = [](int i) { return i >= 16 && i < 48; };
+  const Picture middle =
+      rearranged(full, [&](int x, int y) { return inside(x) && inside(y) ? full.at(x, y) : glm::vec4(0); });
+  EXPECT_EQ(colour_difference(stranger("crop.exr"), middle), 0);
+}
+
+TEST(Strangers, BytesAfterAJpegAreIgnoredAndMissingOnesAreNot) {
+  EXPECT_EQ(colour_difference(stranger("trail.jpg"), stranger("rgb.jpg")), 0);
+  const test::Folder folder;
+  const fs::path from = fs::path(PELAGE_SOURCE_DIR) / "tests/picture/strangers";
+  for (const char* name : {"rgb.jpg", "progressive.jpg", "rgb.png"}) {
+    std::ifstream stream(from / name, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    bytes.resize(bytes.size() - 2);
+    folder.write(name, bytes);
+    test::expect_has(test::refusal([&] { read_picture(folder.path / name); }),
+                     "the file ends before the end");
+  }
+}
+
 /// Returns a picture in which the red value of each pixel is its column and the green value is its row.
 Picture ramp(int width, int height) {
   Picture picture{width, height, std::vector<glm::vec4>(std::size_t(width) * std::size_t(height))};

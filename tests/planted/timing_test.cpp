@@ -1,5 +1,6 @@
 // Tests that pelage detects wrong times, and pictures that do not show the timed frames. The first table of
 // docs/results.md lists these tests.
+#include "harness/measure/interruptions.hpp"
 #include "harness/measure/runner.hpp"
 #include "harness/subjects/case_identity.hpp"
 #include "harness/subjects/pipelines.hpp"
@@ -213,6 +214,30 @@ TEST_F(Planted, LoadedMachine) {
   for (const char* file : {"stdout", "page/tables/own.tex", "page/index.html"})
     expect_has(folder.read(file), "! other processes used more than 10");
   expect_has(pelage("export results").out, ",contended,");
+}
+
+// The program is stopped several times while it times the case. The first run compiles its kernels.
+TEST_F(Planted, StoppedProgram) {
+  take("base");
+  folder.edit("own.toml", "warm_up_s = 0.0", "warm_up_s = 4.0");
+  ASSERT_EQ(
+      shell(std::string(PELAGE_BINARY) +
+            " run own.toml --filter -4- -o stopped & p=$!; sleep 1; "
+            "for i in 1 2 3 4 5 6; do kill -STOP $p; sleep 0.2; kill -CONT $p; sleep 0.3; done; wait $p"),
+      0);
+  expect_has(folder.read("stderr"), "pelage could not run: a signal stopped it ");
+  EXPECT_GE(rows("stopped").front().provenance.at("stops"), 1);
+  done("report stopped -o page");
+  expect_has(folder.read("page/index.html"), "stopped, or asleep");
+}
+
+TEST_F(Planted, FewerCoresThanBefore) {
+  if (usable_cores() < 2) GTEST_SKIP() << "one core";
+  folder.write("own.toml", base_experiment());
+  done("run own.toml --filter -4- -o results", "POCL_AFFINITY=0");
+  expect_refused(pelage("run own.toml --resume results", "POCL_AFFINITY=0 taskset -c 0"), "device");
+  done("run own.toml --filter -4- -o one", "POCL_AFFINITY=0 taskset -c 0");
+  EXPECT_EQ(rows("one").front().provenance.at("usable_cores"), 1);
 }
 
 }  // namespace

@@ -112,6 +112,10 @@ class Reader(unittest.TestCase):
         self.journal(line(row()) + line(row(case="next"))[:-20])
         self.assertEqual(len(pelage.read(self.folder)), 1)
 
+    def test_lines_may_end_as_in_windows(self):
+        self.journal((line(row()) + line(row(case="next"))).replace("\n", "\r\n"))
+        self.assertEqual(len(pelage.read(self.folder)), 2)
+
     def test_damage_is_an_error_that_names_the_line(self):
         damaged = {line(row()).replace("calm", "clam", 1): "checksum does not match",
                    "nonsense\n": "does not end with a checksum",

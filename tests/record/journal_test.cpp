@@ -125,6 +125,15 @@ TEST_F(JournalFile, DamageInTheMiddleIsAnError) {
   expect_has(resume_refusal(), ":2: damaged");
 }
 
+TEST_F(JournalFile, LinesMayEndAsInWindows) {
+  std::string text = first + second;
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
+  write_text(file, text);
+  Journal journal(file, Journal::Mode::resume);
+  EXPECT_EQ(journal.rows().size(), 2u);
+  EXPECT_EQ(journal.dropped_bytes(), 0u);
+}
+
 TEST_F(JournalFile, AKeyStandsOnce) {
   {
     Journal journal(file, Journal::Mode::fresh);

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "harness/error.hpp"
@@ -38,38 +40,98 @@ std::string one_line(const std::string& text) {
   return line.empty() ? "no reason given" : line;
 }
 
-/// Throws InputError if a PNG or JPEG file does not contain its end marker. This check is necessary because
-/// OpenImageIO returns a truncated JPEG as a picture with grey areas.
+/// Returns the number that the bytes from `at` on contain, the most significant byte first.
+std::size_t number_at(std::string_view bytes, std::size_t at, std::size_t count) {
+  std::size_t number = 0;
+  for (const char byte : bytes.substr(at, count)) number = number << 8 | static_cast<unsigned char>(byte);
+  return number;
+}
+
+/// Returns whether a PNG file has its last chunk, IEND. A chunk has a length, a name of four bytes, its data
+/// and a checksum.
+bool png_ends(std::string_view bytes) {
+  for (std::size_t at = 8; at + 12 <= bytes.size(); at += 12 + number_at(bytes, at, 4))
+    if (bytes.substr(at + 4, 4) == "IEND") return true;
+  return false;
+}
+
+/// Returns whether a JPEG file has the marker of its end, FF D9, outside of a segment, which may contain a
+/// smaller picture. In the data between segments, FF 00 is a byte FF, and FF D0 to FF D7 are restarts.
+bool jpeg_ends(std::string_view bytes) {
+  for (std::size_t at = 2; at + 1 < bytes.size();) {
+    const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+    if (bytes[at] != '\xff' || marker == 0xff) {
+      ++at;
+    } else if (marker == 0xd9) {
+      return true;
+    } else if (marker <= 1 || (marker >= 0xd0 && marker <= 0xd8)) {
+      at += 2;
+    } else {
+      at += 2 + number_at(bytes, at + 2, 2);
+    }
+  }
+  return false;
+}
+
+/// Throws InputError if a PNG or JPEG file ends before its picture. This check is necessary because
+/// OpenImageIO returns a truncated JPEG as a picture with grey areas. Bytes after the picture are ignored;
+/// telephones write videos there.
 void require_end(const fs::path& file, const std::string& kind) {
-  using namespace std::string_literals;
   if (kind != "png" && kind != "jpeg") return;
-  const std::string marker = kind == "png" ? "IEND\xae\x42\x60\x82"s : "\xff\xd9"s;
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  const std::streamoff size = stream.tellg();
-  // Some writers add padding after the end marker, so the last 1024 bytes of the file are searched for the
-  // marker.
-  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, 1024)), '\0');
-  stream.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
-  stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-  if (!stream || tail.find(marker) == std::string::npos) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!(kind == "png" ? png_ends(bytes) : jpeg_ends(bytes)))
     throw InputError(
         fmt::format("{}: damaged picture: the file ends before the end of the picture", file.string()));
+}
+
+/// Throws InputError if a side of the picture is larger than pelage reads.
+void require_sides(const fs::path& file, int width, int height, int channels) {
+  if (width < 1 || height < 1 || width > most_pixels_per_side || height > most_pixels_per_side ||
+      channels < 1 || channels > 32)
+    throw InputError(fmt::format(
+        "{}: {} x {} pixels with {} channels; pelage reads 1 to {} pixels per side, and at most 32 channels",
+        file.string(), width, height, channels, most_pixels_per_side));
+  if (std::uint64_t(width) * std::uint64_t(height) > most_pixels_read)
+    throw InputError(fmt::format("{}: {} x {} pixels; pelage reads pictures of at most {} pixels",
+                                 file.string(), width, height, most_pixels_read));
+}
+
+/// Places the pixels as a viewer does: those of an EXR file's data window in its display window, with 0
+/// around them; those of the other formats turned by the orientation that the file states. Changes the sides
+/// in `spec`.
+void place(OIIO::ImageSpec& spec, const std::string& kind, int channels, std::vector<float>& values) {
+  OIIO::ImageSpec own(spec.width, spec.height, channels, OIIO::TypeDesc::FLOAT);
+  OIIO::ImageBuf to;
+  if (kind == "openexr") {
+    if (spec.roi() == spec.roi_full()) return;
+    to.reset(OIIO::ImageSpec(spec.full_width, spec.full_height, channels, OIIO::TypeDesc::FLOAT));
+    OIIO::ImageBufAlgo::zero(to);
+    OIIO::ImageBufAlgo::paste(to, spec.x - spec.full_x, spec.y - spec.full_y, 0, 0,
+                              OIIO::ImageBuf(own, values.data()));
+  } else {
+    own.attribute("Orientation", spec.get_int_attribute("Orientation", 1));
+    if (own.get_int_attribute("Orientation") == 1) return;
+    to = OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(own, values.data()));
   }
+  std::vector<float> placed(to.roi().npixels() * std::size_t(channels));
+  to.get_pixels(to.roi(), OIIO::TypeDesc::FLOAT, placed.data());
+  values = std::move(placed);
+  spec.width = to.roi().width();
+  spec.height = to.roi().height();
 }
 
 Picture read(const fs::path& file, const std::string& kind) {
   const auto input = OIIO::ImageInput::create(kind);
-  OIIO::ImageSpec spec;
-  if (!input || !input->open(file.string(), spec)) {
+  // Without this hint, OpenImageIO multiplies the colours of PNG and TIFF files by alpha.
+  OIIO::ImageSpec spec, hints;
+  hints.attribute("oiio:UnassociatedAlpha", 1);
+  if (!input || !input->open(file.string(), spec, hints)) {
     const std::string reason = input ? input->geterror() : OIIO::geterror();
     throw InputError(fmt::format("{}: not a readable picture: {}", file.string(), one_line(reason)));
   }
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.width > most_pixels_per_side ||
-      spec.height > most_pixels_per_side || spec.nchannels < 1 || spec.nchannels > 32) {
-    throw InputError(fmt::format(
-        "{}: {} x {} pixels with {} channels; pelage reads 1 to {} pixels per side, and at most 32 channels",
-        file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
-  }
+  require_sides(file, spec.width, spec.height, spec.depth > 1 ? 0 : spec.nchannels);
+  if (kind == "openexr") require_sides(file, spec.full_width, spec.full_height, spec.nchannels);
   // A damaged header of a small file must not make the reader allocate gigabytes. Of the codecs that pelage
   // reads, deflate has the highest compression ratio, at most 1032. The limit densest_codec is higher, so
   // every undamaged file passes this test.
@@ -77,10 +139,6 @@ Picture read(const fs::path& file, const std::string& kind) {
   if (std::max(spec.image_bytes(), spec.tile_bytes()) / densest_codec > fs::file_size(file, error)) {
     throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
                                  file.string(), spec.width, spec.height));
-  }
-  if (std::uint64_t(spec.width) * std::uint64_t(spec.height) > most_pixels_read) {
-    throw InputError(fmt::format("{}: {} x {} pixels; pelage reads pictures of at most {} pixels",
-                                 file.string(), spec.width, spec.height, most_pixels_read));
   }
   require_end(file, kind);
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
@@ -92,10 +150,11 @@ Picture read(const fs::path& file, const std::string& kind) {
   if (!read || !complaint.empty())
     throw InputError(fmt::format("{}: damaged picture: {}", file.string(), one_line(complaint)));
 
-  Picture picture{spec.width, spec.height, std::vector<glm::vec4>(pixels)};
+  place(spec, kind, channels, values);
+  Picture picture{spec.width, spec.height, std::vector<glm::vec4>(values.size() / std::size_t(channels))};
   const bool grey = channels < 3;
   const bool alpha = channels == 2 || channels == 4;
-  for (std::size_t i = 0; i < pixels; ++i) {
+  for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
     const float* value = &values[i * static_cast<std::size_t>(channels)];
     picture.pixel[i] =
         glm::vec4(value[0], value[grey ? 0 : 1], value[grey ? 0 : 2], alpha ? value[channels - 1] : 1.0f);
