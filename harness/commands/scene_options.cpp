@@ -11,7 +11,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/soup.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/pipelines.hpp"

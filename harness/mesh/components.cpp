@@ -130,7 +130,10 @@ void turn_outwards(Surface& surface) {
   const auto turned = std::ranges::count_if(volume, inside_out);
   if (turned == 0) return;
   for (std::size_t f = 0; f < surface.triangle.size(); ++f)
-    if (inside_out(volume[component[f]])) std::swap(surface.triangle[f][1], surface.triangle[f][2]);
+    if (inside_out(volume[component[f]])) {
+      std::swap(surface.triangle[f][1], surface.triangle[f][2]);
+      if (!surface.uv.empty()) std::swap(surface.uv[f][1], surface.uv[f][2]);
+    }
   surface.notes.push_back(count == 1 ? "turned all faces outwards"
                                      : fmt::format("turned the faces of {} components outwards", turned));
 }

@@ -6,7 +6,6 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <span>
-#include <unordered_map>
 
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
@@ -14,7 +13,8 @@
 #include "harness/mesh/disk_cache.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/mesh.hpp"
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/near_points.hpp"
+#include "harness/mesh/read/soup.hpp"
 
 namespace pelage {
 namespace {
@@ -69,31 +69,6 @@ struct Bounds {
   void add(glm::dvec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
 };
 
-/// Finds points by their position.
-class Cells {
- public:
-  explicit Cells(double side) : side_(side) {}
-  void add(glm::dvec3 p, std::uint32_t number) { numbers_[key(cell(p))].push_back(number); }
-  /// Calls `visit` for the points in the cell of p and in its neighbours, at least for those that are nearer
-  /// to p than one side.
-  template <class Visit>
-  void around(glm::dvec3 p, const Visit& visit) const {
-    const glm::dvec3 own = cell(p);
-    for (const int x : {-1, 0, 1})
-      for (const int y : {-1, 0, 1})
-        for (const int z : {-1, 0, 1})
-          if (const auto found = numbers_.find(key(own + glm::dvec3(x, y, z))); found != numbers_.end())
-            for (const std::uint32_t number : found->second) visit(number);
-  }
-
- private:
-  /// Adding 0 turns -0 to 0, whose bytes differ.
-  glm::dvec3 cell(glm::dvec3 p) const { return glm::floor(p / side_) + 0.0; }
-  static std::uint64_t key(glm::dvec3 cell) { return Hash().bytes(&cell, sizeof cell).value(); }
-  double side_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> numbers_;
-};
-
 /// How the preparation of the first file placed its points: the surface point is `turn` ((p - shift) / R),
 /// where R is `radius`.
 struct Placement {
@@ -117,7 +92,7 @@ Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotatio
 std::vector<std::vector<std::uint32_t>> coincident_of(const Mesh& mesh, const Points& first,
                                                       const Placement& place, const fs::path& file,
                                                       std::string_view key) {
-  Cells cells(near);
+  NearPoints cells(near);
   for (std::uint32_t i = 0; i < first.position.size(); ++i)
     if (first.used[i]) cells.add(place(first.position[i]), i);
   std::vector<std::vector<std::uint32_t>> points(mesh.welded);

@@ -16,7 +16,7 @@
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/formats.hpp"
 #include "harness/mesh/steps.hpp"
 #include "harness/mesh/unfold.hpp"
 #include "harness/mesh/uv_pieces.hpp"
@@ -28,7 +28,7 @@ namespace {
 // whenever a change of the code changes the prepared mesh of any model or file.
 constexpr int recipe = 4;
 constexpr int procedural_recipe = 3;  // version of the preparation of procedural shapes
-constexpr int file_recipe = 4;        // version of the preparation of users' mesh files
+constexpr int file_recipe = 5;        // version of the preparation of users' mesh files
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;
@@ -87,6 +87,7 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
                                  source.label, source.item));
   }
   Soup soup;
+  std::string joined;
   stages.begin("reading");
   if (source.kind == "cgal") {
     auto bytes = read_member(cgal_archive, "data/meshes/" + source.item);
@@ -102,13 +103,18 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   if (file) {
     stages.begin("sorting points and faces");
     sort_soup(soup);
+    joined = weld_near(soup);
   }
   if (options.keep_uv && soup.uv.empty()) refuse_uv(source, "has no UV map of its own");
-  if (options.keep_uv) return weld(soup, source.label);
+  const auto noted = [&](Surface surface) {
+    if (!joined.empty()) surface.notes.insert(surface.notes.begin(), joined);
+    return surface;
+  };
+  if (options.keep_uv) return noted(weld(soup, source.label));
   if (soup.polygon.size() > most_faces)
     throw InputError(fmt::format("{}: {} faces; at most {} can be prepared", source.label,
                                  soup.polygon.size(), most_faces));
-  return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
+  return noted(repair(soup, {!file, !file || options.largest_only}, source.label, stages));
 }
 
 // Returns a coarse version of the surface with about `faces` faces. plan_cuts() tests possible cuts on it. A

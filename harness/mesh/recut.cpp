@@ -95,15 +95,15 @@ std::optional<Shape> flattened(const Surface& surface, const Faces& faces, const
 }
 
 /// A part of the surface and its UV, scaled and rotated by laid().
-struct Chart {
+struct OwnChart {
   Faces faces;
   Shape shape;         ///< its bounding box starts at (0, 0)
   glm::dvec2 size{0};  ///< of the bounding box
 };
 
 /// Scales a shape by `scale` and rotates it such that the area of its bounding box is smallest.
-Chart laid(const Faces& faces, const Shape& shape, double scale) {
-  Chart best{faces, {}, {}};
+OwnChart laid(const Faces& faces, const Shape& shape, double scale) {
+  OwnChart best{faces, {}, {}};
   double least = std::numeric_limits<double>::max();
   for (int degrees = 0; degrees < 90; degrees += 3) {
     const double c = scale * std::cos(glm::radians(double(degrees))),
@@ -146,11 +146,11 @@ class Flattener {
 
   /// Appends the charts of a piece. With `anew`, the piece is flattened even if its present UV has no
   /// overlaps.
-  void add(const Faces& faces, bool anew, std::vector<Chart>& charts) const {
+  void add(const Faces& faces, bool anew, std::vector<OwnChart>& charts) const {
     Shape present;
     for (const std::uint32_t f : faces) present.push_back(surface_.uv[f]);
     const bool clean = is_clean(present);
-    std::optional<Chart> chart;
+    std::optional<OwnChart> chart;
     if (anew) chart = flattened(faces, even, false);
     if (anew && !chart) chart = flattened(faces, even, true);
     if (!clean && !chart) chart = flattened(faces, usual, false);
@@ -169,27 +169,27 @@ class Flattener {
   static constexpr Limits even{1.5, 0.1, 1}, usual{2.5, 0.02, 1}, lenient{2.5, 1, 0};
   static constexpr double most_side = 0.9;  // of a chart's bounding box, in UV
 
-  Chart chart_of(const Faces& faces, const Shape& shape) const {
+  OwnChart chart_of(const Faces& faces, const Shape& shape) const {
     return laid(faces, shape, std::sqrt(surface_area(surface_, faces) / uv_area(shape)) / per_uv_);
   }
 
   /// Flattens a piece as rigidly as possible without overlaps. Seams inside the piece are closed, except if
   /// only open seams permit a map. Returns nothing if there is no such map within the limits, or if its
   /// bounding box is too large.
-  std::optional<Chart> flattened(const Faces& faces, const Limits& limits, bool with_slit) const {
+  std::optional<OwnChart> flattened(const Faces& faces, const Limits& limits, bool with_slit) const {
     for (const int iterations : {most_rigid, 5, 3, 2, 1, 0})
       for (const Neighbours* next : {&on_surface_, &in_uv_}) {
         if (iterations < limits.least_iterations) continue;
         const auto shape = pelage::flattened(surface_, faces, *next, iterations, with_slit, name_);
         if (!shape || stretched_share(surface_, faces, *shape, limits.factor) > limits.share) continue;
-        Chart chart = chart_of(faces, *shape);
+        OwnChart chart = chart_of(faces, *shape);
         if (std::max(chart.size.x, chart.size.y) <= most_side) return chart;
       }
     return {};
   }
 
   /// Divides a piece whose UV overlaps. Returns false if this is not possible.
-  bool divide(const Faces& faces, std::vector<Chart>& charts) const {
+  bool divide(const Faces& faces, std::vector<OwnChart>& charts) const {
     Surface part;
     part.point = surface_.point;
     for (const std::uint32_t f : faces)
@@ -220,7 +220,7 @@ glm::dvec2 smaller(glm::dvec2 p, double scale) {
 /// Finds places for the charts beside the triangles that are kept, if both are made smaller by `scale`.
 /// Returns an empty list if there is not enough space.
 std::vector<glm::dvec2> places(const Surface& surface, const std::vector<char>& kept,
-                               const std::vector<Chart>& charts, double scale) {
+                               const std::vector<OwnChart>& charts, double scale) {
   FreeSpace space;
   for (std::size_t f = 0; f < kept.size(); ++f) {
     Surface::Corners corners = surface.uv[f];
@@ -228,7 +228,7 @@ std::vector<glm::dvec2> places(const Surface& surface, const std::vector<char>& 
     if (kept[f]) space.take(corners);
   }
   std::vector<glm::dvec2> list;
-  for (const Chart& chart : charts) {
+  for (const OwnChart& chart : charts) {
     const auto there = space.place(scale * chart.size);
     if (!there) return {};
     list.push_back(*there);
@@ -237,9 +237,9 @@ std::vector<glm::dvec2> places(const Surface& surface, const std::vector<char>& 
 }
 
 /// Places the charts and writes their UV. Returns false if there is not enough space.
-bool place(Surface& surface, const std::vector<char>& kept, std::vector<Chart>& charts) {
+bool place(Surface& surface, const std::vector<char>& kept, std::vector<OwnChart>& charts) {
   std::ranges::stable_sort(charts, std::ranges::greater(),
-                           [](const Chart& chart) { return chart.size.x * chart.size.y; });
+                           [](const OwnChart& chart) { return chart.size.x * chart.size.y; });
   double scale = 1;
   std::vector<glm::dvec2> list = places(surface, kept, charts, scale);
   while (list.empty() && scale > least_scale) list = places(surface, kept, charts, scale *= 0.95);
@@ -265,7 +265,7 @@ bool recut(Surface& surface, bool even, const std::string& name) {
   const Pieces pieces = choose_pieces(surface, rules);
   if (pieces.piece.empty()) return false;
   const Flattener flattener(surface, rules, per_uv, name);
-  std::vector<Chart> charts;
+  std::vector<OwnChart> charts;
   for (const Faces& faces : pieces.piece) flattener.add(faces, even, charts);
   std::vector<char> kept(surface.triangle.size(), false);
   for (const Faces& faces : pieces.rest)

@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
@@ -140,6 +142,56 @@ void fill_holes(Polyhedron& mesh, bool all, Notes& notes) {
 }
 
 }  // namespace
+
+std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<glm::dvec3>& corner) {
+  if (corner.size() < 3) return {};
+  if (corner.size() == 3) return {{0, 1, 2}};
+  std::vector<Kernel::Point_3> points;
+  points.reserve(corner.size());
+  for (const glm::dvec3& p : corner) points.emplace_back(p.x, p.y, p.z);
+  std::vector<CGAL::Triple<int, int, int>> found;
+  PMP::triangulate_hole_polyline(points, std::back_inserter(found));
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const auto& [a, b, c] : found) {
+    triangles.push_back({std::size_t(a), std::size_t(b), std::size_t(c)});
+    std::ranges::sort(triangles.back());  // the order of the polygon
+  }
+  for (std::size_t k = 1; found.empty() && k + 1 < corner.size(); ++k) triangles.push_back({0, k, k + 1});
+  std::ranges::sort(triangles);
+  return triangles;
+}
+
+void orient(Surface& surface) {
+  std::vector<Kernel::Point_3> points;
+  points.reserve(surface.point.size());
+  for (const glm::dvec3& p : surface.point) points.emplace_back(p.x, p.y, p.z);
+  std::vector<std::vector<std::size_t>> polygons;
+  polygons.reserve(surface.triangle.size());
+  for (const auto& t : surface.triangle) polygons.emplace_back(t.begin(), t.end());
+  PMP::orient_polygon_soup(points, polygons);
+  const std::size_t before = surface.point.size();
+  for (std::size_t i = before; i < points.size(); ++i)
+    surface.point.emplace_back(points[i].x(), points[i].y(), points[i].z());
+  std::size_t turned = 0;
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    const Surface::Triangle was = surface.triangle[f];
+    const Surface::Corners uv = surface.uv[f];
+    // The corner of the old triangle to which each new one belongs: a point that was split has a new number,
+    // but its old place. The first corner stays the first.
+    std::array<std::size_t, 3> from{};
+    for (std::size_t k = 0; k < 3; ++k)
+      while (from[k] < 2 && surface.point[was[from[k]]] != surface.point[polygons[f][k]]) ++from[k];
+    const auto first = std::size_t(std::ranges::find(from, 0u) - from.begin()) % 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      surface.triangle[f][k] = std::uint32_t(polygons[f][(first + k) % 3]);
+      surface.uv[f][k] = uv[from[(first + k) % 3]];
+    }
+    turned += from[(first + 1) % 3] == 2;
+  }
+  note(surface.notes, "turned", turned, "face", "faces", " to agree with the neighbours");
+  note(surface.notes, "split", points.size() - before, "point", "points",
+       " shared by faces of inconsistent orientation");
+}
 
 Surface repair(const Soup& soup, const RepairOptions& options, const std::string& name, Stages& stages) {
   Notes notes;

@@ -3,13 +3,14 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/soup.hpp"
 #include "harness/mesh/surface.hpp"
 
 namespace pelage {
@@ -71,9 +72,22 @@ struct RepairOptions {
 Surface repair(const Soup& soup, const RepairOptions& options, const std::string& name, Stages& stages);
 
 /// Converts a soup with its own UV map to a surface. It welds coincident points, splits polygons into
-/// triangles and drops triangles without three different points. It changes nothing else, so the UV map is
-/// preserved. Throws InputError if no triangle is left or the UV map has no area.
+/// triangles, drops triangles without an area, and orients the others. It changes nothing else, so the UV map
+/// is preserved. Throws InputError if no triangle is left, if some polygons have no UV, or if the UV map has
+/// no area.
 Surface weld(const Soup& soup, const std::string& name);
+
+/// If the components of the soup have less than four polygons on average, joins points that are nearer than 1e-6 of its size,
+/// and returns a note; "" if nothing was joined.
+std::string weld_near(Soup& soup);
+
+/// Divides a polygon, which need not be convex or plane, into triangles of its corners (CGAL's triangulation
+/// of holes).
+std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<glm::dvec3>& corner);
+
+/// Orients neighbouring faces alike, and splits points where this is impossible. Each face keeps the UV of
+/// its corners. Adds notes.
+void orient(Surface& surface);
 
 /// Returns a watertight hull of a surface that intersects itself (Portaneri et al. 2022, CGAL's alpha wrap).
 Surface wrap(const Surface& surface);

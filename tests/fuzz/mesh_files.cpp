@@ -1,12 +1,12 @@
 #include "harness/mesh/cache.hpp"
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/formats.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace pelage::fuzz {
 
 void mesh(std::string_view bytes, std::string_view format) {
-  may_refuse([&] { parse_soup(std::string(bytes), format, "mesh"); });
+  may_refuse([&] { parse_soup(bytes, format, "mesh", true); });
 }
 
 void gltf(std::string_view bytes) {

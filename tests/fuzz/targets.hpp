@@ -15,7 +15,7 @@ void archive(std::string_view bytes);     ///< a member of a tar.gz archive of m
 void cached(std::string_view bytes);      ///< content of a mesh cache file; cached() adds title and checksum
 void claims(std::string_view bytes);      ///< a file of claims
 void experiment(std::string_view bytes);  ///< an experiment file
-void gltf(std::string_view bytes);     ///< the parts of a glTF file that pelage reads before it calls Assimp
+void gltf(std::string_view bytes);  ///< the parts of a glTF file that pelage reads before it calls tinygltf
 void journal(std::string_view bytes);  ///< a journal (rows of results); journal() adds the checksums
 void mesh(std::string_view bytes, std::string_view format);  ///< OBJ, OFF, PLY or STL
 void models(std::string_view bytes);                         ///< a file such as experiments/models.toml

@@ -6,7 +6,7 @@
 #include "harness/hash.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/soup.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 
@@ -38,7 +38,7 @@ const std::string ply_text = "ply\nformat ascii 1.0\n", ply_vertex = "element ve
 const std::string coordinates = "property float x\nproperty float y\nproperty float z\n";
 const std::string ply_face = "element face 1\nproperty list uchar int vertex_indices\n",
                   ply_end = "end_header\n";
-const std::string no_corners = ": the faces have no list vertex_indices of type int or uint";
+const std::string no_corners = ": the list vertex_indices must have whole numbers";
 const std::string no_count = ":3: the number of elements is missing, negative or too large for a file of ";
 const std::string stl_facet = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
 
@@ -60,6 +60,10 @@ const std::vector<Bad> cases{
     {"obj", obj_points + "f -1 -2 -4\n", ":4: '-4' is not a vertex; indices start at 1"},
     {"obj", obj_points + "f 1 2\n", ":4: a face of 2 corners; give at least three"},
     {"obj", garbage, ": binary data, not OBJ text"},
+    {"obj", "\xff\xfev\0", ": UTF-16 text, which is not read; save the file as UTF-8"},
+    {"obj", "v 1 2 3 0\n", ":1: the weight of a vertex is 0"},
+    {"off", "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2 255", ":1: words remain after the last face"},
+    {"off", "4OFF\n", ":1: '4OFF': only OFF with the prefixes ST, C and N is read"},
     {"obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 1\n", ": no face with an area is left"},
     {"obj", "v 0 0 0\nv 1e-31 0 0\nv 0 1e-31 0\nf 1 2 3\n", ": the surface is smaller than 1e-30"},
     {"off", "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", ":1: found '3' instead of OFF"},
@@ -88,10 +92,10 @@ const std::vector<Bad> cases{
     {"ply", ply_text + "element vertex -1\n", no_count + "39 bytes"},
     {"ply", ply_text + "property float x\n" + ply_vertex, ":3: a property stands before the first element"},
     {"ply", ply_text + ply_vertex + "property half x\n", ":4: the type 'half' is unknown"},
-    {"ply", ply_text + ply_vertex + "property float x\nproperty int y\n" + ply_face + ply_end,
-     ": the vertices have no property y of type float or double"},
+    {"ply", ply_text + ply_vertex + "property float x\nproperty int z\n" + ply_face + ply_end,
+     ": the vertices have no property y that is a number"},
     {"ply", ply_text + ply_vertex + "property list uchar float x\n" + ply_face + ply_end,
-     ": the vertices have no property x of type float or double"},
+     ": the vertices have no property x that is a number"},
     {"ply", ply_text + ply_vertex + coordinates + ply_face + ply_end + "1 0 1.1e30\n3 0 0 0\n",
      ": the coordinates of vertex 0 must be numbers from -1e+30 to 1e+30"},
     {"ply", ply_text + ply_vertex + ply_vertex + ply_face + ply_end, ": two elements have the name vertex"},
@@ -99,9 +103,8 @@ const std::vector<Bad> cases{
     {"ply", ply_text + ply_vertex + coordinates + "element face 0\n" + ply_end,
      ": the file contains no faces"},
     {"ply",
-     ply_text + ply_vertex + coordinates + "element face 1\nproperty list uchar uchar vertex_indices\n" +
-         ply_end,
-     no_corners},
+     ply_text + ply_vertex + coordinates + "element face 1\nproperty list uchar int corners\n" + ply_end,
+     ": the element face has no list vertex_indices"},
     {"ply",
      ply_text + ply_vertex + coordinates + "element face 1\nproperty list uchar float vertex_indices\n" +
          ply_end,
@@ -131,6 +134,23 @@ const std::vector<Bad> cases{
     {"stl", stl_facet + "vertex 1 nan 0\n", ":5: found 'nan'" + no_numbers},
 };
 
+// Texture coordinates are checked if they are used.
+TEST(BadFile, errors_of_texture_coordinates_are_refused_where_they_are_used) {
+  const test::Folder folder;
+  const std::string face = "f 1/1 2/2 3/3\n", good = "vt 0 0\nvt 1 0\n";
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {good + "vt nan 1\n" + face, ":6: found 'nan', but a texture coordinate needs numbers"},
+           {good + "vt 0,5 1\n" + face, ":6: found '0,5', but a texture coordinate needs numbers"},
+           {good + face, ":6: texture coordinate 3 is out of range; there are 2 texture coordinates"},
+           {good + "vt 0 1\nf 1/1 2/0 3/3\n", ":7: '0' is not a texture coordinate; indices start at 1"},
+           {good + "vt 0 1\nf 1/1 2 3/3\n", ":7: only some corners of the face have texture coordinates"},
+           {good + "vt 0 1\n" + face + "f 1 3 2\n",
+            ": 1 of 2 faces have no texture coordinates; give them some, or leave out --keep-uv"}}) {
+    const std::string file = folder.write("a.obj", obj_points + text);
+    EXPECT_EQ(test::refusal([&] { load_model(file, fresh({}, true)); }), file + message);
+  }
+}
+
 TEST(BadFile, is_refused_in_one_line) {
   const test::Folder folder;
   for (const Bad& bad : cases) {
@@ -139,9 +159,9 @@ TEST(BadFile, is_refused_in_one_line) {
   }
 }
 
-// The text of these errors comes from Assimp, so the test checks only that the message is a single line with
-// the file's name.
-TEST(BadMesh, garbage_in_formats_that_assimp_reads_is_refused_in_one_line) {
+// The text of these errors comes from Assimp and tinygltf, so the test checks only that the message is a
+// single line with the file's name.
+TEST(BadMesh, garbage_in_formats_that_libraries_read_is_refused_in_one_line) {
   const test::Folder folder;
   for (const char* name : {"a.3ds", "a.gltf", "a.glb"}) {
     for (const std::string& bytes :

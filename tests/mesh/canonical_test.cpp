@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/soup.hpp"
 #include "tests/mesh/mesh_files.hpp"
 
 namespace pelage {

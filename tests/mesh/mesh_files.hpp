@@ -25,6 +25,12 @@ inline constexpr bool bits_of_cgal = CGAL_VERSION_NR == 1050511000;
 
 namespace test {
 
+/// Appends the bytes of a number.
+template <class T>
+void put(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
 /// Returns a glTF file as most exporters write it: the buffer file `uri` has the points (3 floats each), then
 /// the corners of the faces (16-bit integers).
 inline std::string gltf_text(const std::string& uri, std::size_t points, std::size_t corners) {

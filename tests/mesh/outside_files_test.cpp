@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/formats.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
 

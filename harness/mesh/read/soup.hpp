@@ -14,21 +14,21 @@ namespace pelage {
 struct Soup {
   std::vector<glm::dvec3> point;
   std::vector<std::vector<std::uint32_t>> polygon;
-  /// UV of each corner of each polygon; empty if no UV map was read.
+  /// UV of each corner of each polygon; no corner for a polygon without UV. Empty if no UV map was read.
   std::vector<std::vector<glm::dvec2>> uv;
 };
 
-/// Reads a mesh file. CGAL reads OBJ, OFF, PLY and STL; Assimp reads 3DS, glTF and glb. The file name's
-/// extension selects the format. If `with_uv` is true, Assimp instead of CGAL reads OBJ and PLY, because
-/// Assimp also reads texture coordinates. Throws InputError if the file is not a usable mesh. The message
-/// contains the file's name, the line if known, and the permitted content. The returned soup is not empty,
-/// its numbers are finite and its indices are in range. Malicious files may crash CGAL and Assimp, so call
-/// this function inside isolated().
+/// Reads a mesh file. The file name's extension selects the format (harness/mesh/read/formats.hpp). If
+/// `with_uv` is true, also reads the file's UV map, if it has one. Throws InputError if the file is not a
+/// usable mesh. The message contains the file's name, the line if known, and the permitted content. The
+/// returned soup is not empty, its numbers are finite and its indices are in range. Malicious files may crash
+/// tinygltf and Assimp, so call this function inside isolated().
 Soup read_soup(const std::filesystem::path& file, bool with_uv);
 
 /// Parses the bytes of an OBJ, OFF, PLY or STL file. `format` is the file's extension in lower case without
 /// the dot.
-Soup parse_soup(std::string bytes, std::string_view format, const std::string& name);
+Soup parse_soup(std::string_view bytes, std::string_view format, const std::string& name,
+                bool with_uv = false);
 
 /// Largest magnitude of a coordinate in a mesh file. A surface must not be smaller than its reciprocal. Areas
 /// and their squares thus stay in the range of a double.
@@ -54,27 +54,6 @@ constexpr std::uint64_t mesh_memory(std::uint64_t size) {
 /// Reads a whole file. Throws InputError if the path is missing or a folder, or if the file is empty or
 /// larger than `limit` bytes.
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);
-
-namespace detail {
-/// Checks a file's bytes before CGAL reads them. Throws InputError with the line of the first error. Replaces
-/// `bytes` by a file that contains only the points and faces, because CGAL refuses or misreads other
-/// contents. Leaves the bytes of an STL file unchanged.
-void check_text(std::string& bytes, std::string_view format, const std::string& name);
-/// Checks the header of a PLY file, and checks that the rest of the file contains all numbers and lists that
-/// the header describes. Returns a PLY file with only the points and faces.
-std::string check_ply(std::string_view bytes, const std::string& name);
-bool read_by_cgal(const std::string& bytes, std::string_view format, Soup& soup);
-Soup read_by_assimp(const std::filesystem::path& file);
-/// Returns the paths of the files to which a glTF file (.gltf or .glb) refers: first the buffers, then the
-/// pictures, each in the order in which the glTF file lists them. Data URIs are left out. The list is empty
-/// if `file` has neither the extension .gltf nor .glb, or if its text is not JSON. Assimp reports the invalid
-/// JSON later, when it reads the file. Throws InputError if a URI is absolute, leads out of the folder of
-/// `file`, or does not refer to a regular file.
-std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& file);
-/// Returns the paths to which a glTF file with the content `bytes` refers. This function does not read
-/// `file`. URIs are relative to the folder of `file`.
-std::vector<std::filesystem::path> gltf_files(std::string_view bytes, const std::filesystem::path& file);
-}  // namespace detail
 
 /// Returns the bytes of the file `member`; empty if the archive does not contain it. Throws InputError if the
 /// archive is missing or damaged, or if `member` is larger than 1 GiB.

@@ -10,34 +10,33 @@
 #include <string_view>
 
 #include "harness/error.hpp"
-#include "harness/mesh/soup.hpp"
+#include "harness/mesh/read/formats.hpp"
 
 namespace pelage::detail {
 namespace {
 
-// Unregisters all importers of Assimp except OBJ, PLY, 3DS and glTF. Assimp has about fifty importers, and
-// several of them had security holes recently.
-void allow_only_known_formats(Assimp::Importer& importer) {
+// Unregisters all importers of Assimp except that of 3DS. Assimp has about fifty importers, and several of
+// them had security holes recently.
+void allow_only_3ds(Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i--;) {
     const aiImporterDesc* about = importer.GetImporterInfo(i);
     const std::string_view endings = about ? about->mFileExtensions : "";
-    const bool known =
-        endings == "obj" || endings == "ply" || endings.starts_with("3ds") || endings.starts_with("gltf");
-    if (!known) importer.UnregisterLoader(importer.GetImporter(i));
+    if (!endings.starts_with("3ds")) importer.UnregisterLoader(importer.GetImporter(i));
   }
 }
 
-void append(const aiMesh& mesh, Soup& soup) {
+void append(const aiMesh& mesh, bool with_uv, Soup& soup) {
+  const bool has_uv = with_uv && mesh.HasTextureCoords(0);
   const auto first = std::uint32_t(soup.point.size());
   for (const aiVector3D& p : std::span(mesh.mVertices, mesh.mNumVertices))
     soup.point.emplace_back(p.x, p.y, p.z);
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
     if (face.mNumIndices != 3) continue;  // points and lines
     soup.polygon.emplace_back();
-    if (mesh.HasTextureCoords(0)) soup.uv.emplace_back();
+    soup.uv.emplace_back();
     for (const unsigned i : std::span(face.mIndices, face.mNumIndices)) {
       soup.polygon.back().push_back(first + i);
-      if (!mesh.HasTextureCoords(0) || i >= mesh.mNumVertices) continue;
+      if (!has_uv || i >= mesh.mNumVertices) continue;
       soup.uv.back().emplace_back(mesh.mTextureCoords[0][i].x, mesh.mTextureCoords[0][i].y);
     }
   }
@@ -45,9 +44,9 @@ void append(const aiMesh& mesh, Soup& soup) {
 
 }  // namespace
 
-Soup read_by_assimp(const std::filesystem::path& file) {
+Soup read_3ds(const std::filesystem::path& file, bool with_uv) {
   Assimp::Importer importer;
-  allow_only_known_formats(importer);
+  allow_only_3ds(importer);
   const aiScene* scene =
       importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices |
                                            aiProcess_ValidateDataStructure);
@@ -57,8 +56,8 @@ Soup read_by_assimp(const std::filesystem::path& file) {
     throw InputError(fmt::format("{}: not readable: {}", file.string(), reason));
   }
   Soup soup;
-  for (const aiMesh* mesh : std::span(scene->mMeshes, scene->mNumMeshes)) append(*mesh, soup);
-  if (soup.uv.size() != soup.polygon.size()) soup.uv.clear();  // some meshes of the file have no UV map
+  for (const aiMesh* mesh : std::span(scene->mMeshes, scene->mNumMeshes)) append(*mesh, with_uv, soup);
+  if (std::ranges::all_of(soup.uv, [](const auto& uv) { return uv.empty(); })) soup.uv.clear();
   return soup;
 }
 
