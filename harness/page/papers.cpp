@@ -42,7 +42,7 @@ std::string verdict_cell(const std::vector<claims::Judged>& judged, claims::Verd
 /// Adds the table of the first screen: a line for each paper.
 void add_summary(Body& body, const PapersPage& page) {
   body.add(
-      "<div class=\"wide\"><table>\n<thead><tr><th>paper</th><th>holds</th><th>fails</th><th>undecided</th><th>not tested</th></tr></thead>\n<tbody>\n");
+      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>paper</th><th>holds</th><th>fails</th><th>undecided</th><th>untestable</th></tr></thead>\n<tbody>\n");
   for (const PaperPart& part : page.papers) {
     const std::vector<claims::Judged> judged = claims_of(page, part.plan);
     body.add(fmt::format("<tr><td class=\"prose\"><a href=\"#{}\">{}</a></td>", part.plan.name,

@@ -78,7 +78,7 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
   body.heading(title, 2);
   body.remark("The claims are in our words. Each verdict is computed from the rows of this page.");
   body.add(
-      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th><th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
+      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>measured</th><th>limit</th><th>source</th></tr></thead>\n<tbody>\n");
   for (const claims::Judged& one : judged) {
     std::string details = one.claim.test;
     if (!one.reason.empty())

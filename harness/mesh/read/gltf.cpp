@@ -139,10 +139,10 @@ class Gltf {
       if ((mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1) != mirrored) std::swap(t[1], t[2]);
       auto& corners = soup_.uv.emplace_back();
       auto& polygon = soup_.polygon.emplace_back();
-      for (const std::uint32_t k : t) {
-        polygon.push_back(first + k);
+      for (const std::size_t k : t) {
+        polygon.push_back(first + std::uint32_t(k));
         // The origin of a glTF picture is its upper left corner.
-        if (2 * std::size_t(k) + 1 < uv.size()) corners.emplace_back(uv[2 * k], 1 - uv[2 * k + 1]);
+        if (2 * k + 1 < uv.size()) corners.emplace_back(uv[2 * k], 1 - uv[2 * k + 1]);
       }
     }
   }
