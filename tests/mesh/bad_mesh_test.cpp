@@ -60,7 +60,7 @@ const std::vector<Bad> cases{
     {"obj", obj_points + "f -1 -2 -4\n", ":4: '-4' is not a vertex; indices start at 1"},
     {"obj", obj_points + "f 1 2\n", ":4: a face of 2 corners; give at least three"},
     {"obj", garbage, ": binary data, not OBJ text"},
-    {"obj", "\xff\xfev\0", ": UTF-16 text, which is not read; save the file as UTF-8"},
+    {"obj", "\xff\xfev", ": UTF-16 text, which is not read; save the file as UTF-8"},
     {"obj", "v 1 2 3 0\n", ":1: the weight of a vertex is 0"},
     {"off", "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2 255", ":1: words remain after the last face"},
     {"off", "4OFF\n", ":1: '4OFF': only OFF with the prefixes ST, C and N is read"},
@@ -138,14 +138,15 @@ const std::vector<Bad> cases{
 TEST(BadFile, errors_of_texture_coordinates_are_refused_where_they_are_used) {
   const test::Folder folder;
   const std::string face = "f 1/1 2/2 3/3\n", good = "vt 0 0\nvt 1 0\n";
-  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
-           {good + "vt nan 1\n" + face, ":6: found 'nan', but a texture coordinate needs numbers"},
-           {good + "vt 0,5 1\n" + face, ":6: found '0,5', but a texture coordinate needs numbers"},
-           {good + face, ":6: texture coordinate 3 is out of range; there are 2 texture coordinates"},
-           {good + "vt 0 1\nf 1/1 2/0 3/3\n", ":7: '0' is not a texture coordinate; indices start at 1"},
-           {good + "vt 0 1\nf 1/1 2 3/3\n", ":7: only some corners of the face have texture coordinates"},
-           {good + "vt 0 1\n" + face + "f 1 3 2\n",
-            ": 1 of 2 faces have no texture coordinates; give them some, or leave out --keep-uv"}}) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {good + "vt nan 1\n" + face, ":6: found 'nan', but a texture coordinate needs numbers"},
+      {good + "vt 0,5 1\n" + face, ":6: found '0,5', but a texture coordinate needs numbers"},
+      {good + face, ":6: texture coordinate 3 is out of range; there are 2 texture coordinates"},
+      {good + "vt 0 1\nf 1/1 2/0 3/3\n", ":7: '0' is not a texture coordinate; indices start at 1"},
+      {good + "vt 0 1\nf 1/1 2 3/3\n", ":7: only some corners of the face have texture coordinates"},
+      {good + "vt 0 1\n" + face + "f 1 3 2\n",
+       ": 1 of 2 faces have no texture coordinates; give them some, or leave out --keep-uv"}};
+  for (const auto& [text, message] : files) {
     const std::string file = folder.write("a.obj", obj_points + text);
     EXPECT_EQ(test::refusal([&] { load_model(file, fresh({}, true)); }), file + message);
   }

@@ -1,10 +1,11 @@
 // Tests that the same octahedron or tetrahedron is read from every file format.
+#include "harness/mesh/read/formats.hpp"
+
 #include <algorithm>
 #include <cstring>
 
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/mesh/read/formats.hpp"
 #include "harness/mesh/steps.hpp"
 #include "tests/mesh/mesh_files.hpp"
 #include "tests/support/texts.hpp"
@@ -224,10 +225,10 @@ TEST_F(Formats, ply_has_properties_of_every_type) {
       "property uint16 d\nproperty float z\nproperty int e\nproperty uint f\nproperty list char uchar g\n"
       "property list ushort uchar h\nelement edge 1\nproperty int i\n"
       "element face 1\nproperty list uint8 int32 vertex_index\nproperty uchar j\n";
-  const Soup text =
-      detail::read_ply(ply_with("ascii", all,
-                          "-128 0.5 0 1 -32768 65535 2e3 -2147483648 4294967295 2 7 7 0\n9\n3 0 0 0 255\n"),
-                 "a", false);
+  const Soup text = detail::read_ply(
+      ply_with("ascii", all,
+               "-128 0.5 0 1 -32768 65535 2e3 -2147483648 4294967295 2 7 7 0\n9\n3 0 0 0 255\n"),
+      "a", false);
   EXPECT_EQ(text.point, (Points{{0.5, 1, 2000}}));
   EXPECT_EQ(text.polygon, (Polygons{{0, 0, 0}}));
   const auto bytes = [](auto value, bool big) {
@@ -240,10 +241,10 @@ TEST_F(Formats, ply_has_properties_of_every_type) {
     const auto put = [&](auto value) { return bytes(value, big); };
     const Soup binary =
         detail::read_ply(ply_with(big ? "binary_big_endian" : "binary_little_endian", all,
-                            "a" + put(0.5f) + "b" + put(1.0) + "ccdd" + put(2000.0f) + "eeeeffff@" +
-                                std::string(64, 'g') + put(std::uint16_t(258)) + std::string(258, 'h') +
-                                "iiii\3" + put(0) + put(0) + put(0) + "j"),
-                   "a", false);
+                                  "a" + put(0.5f) + "b" + put(1.0) + "ccdd" + put(2000.0f) + "eeeeffff@" +
+                                      std::string(64, 'g') + put(std::uint16_t(258)) + std::string(258, 'h') +
+                                      "iiii\3" + put(0) + put(0) + put(0) + "j"),
+                         "a", false);
     EXPECT_EQ(binary.point, text.point);
     EXPECT_EQ(binary.polygon, text.polygon);
   }

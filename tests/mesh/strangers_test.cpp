@@ -28,7 +28,7 @@ Box box() {
   for (int side = 0; side < 6; ++side) {
     const int axis = side / 2;
     const double sign = side % 2 == 0 ? 1 : -1;
-    const int first = 4 * side;
+    const int first = 4 * side, column = side % 3, row = side / 3;
     for (int k = 0; k < 4; ++k) {
       const double a = k == 1 || k == 2 ? 1 : -1, b = k >= 2 ? 1 : -1;
       glm::dvec3 p;
@@ -36,8 +36,7 @@ Box box() {
       p[(axis + 1) % 3] = sign * a;
       p[(axis + 2) % 3] = b;
       made.point.push_back(p * glm::dvec3(1, 0.75, 0.5));
-      made.uv.emplace_back((side % 3 + 0.125 + 0.375 * (a + 1)) / 4,
-                           (side / 3 + 0.125 + 0.375 * (b + 1)) / 4);
+      made.uv.emplace_back((column + 0.125 + 0.375 * (a + 1)) / 4, (row + 0.125 + 0.375 * (b + 1)) / 4);
     }
     made.triangle.push_back({first, first + 1, first + 2});
     made.triangle.push_back({first, first + 2, first + 3});
