@@ -77,8 +77,8 @@ Surface repair(const Soup& soup, const RepairOptions& options, const std::string
 /// no area.
 Surface weld(const Soup& soup, const std::string& name);
 
-/// If the components of the soup have less than four polygons on average, joins points that are nearer than 1e-6 of its size,
-/// and returns a note; "" if nothing was joined.
+/// If the components of the soup have less than four polygons on average, joins points that are nearer than
+/// 1e-6 of its size, and returns a note; "" if nothing was joined.
 std::string weld_near(Soup& soup);
 
 /// Divides a polygon, which need not be convex or plane, into triangles of its corners (CGAL's triangulation
