@@ -238,6 +238,13 @@ TEST_F(Strangers, GltfNumbersMayBeQuantized) {
       "box.gltf: the file requires the extension KHR_draco_mesh_compression, which pelage does not read");
 }
 
+TEST_F(Strangers, TextureCoordinatesOfSomeCornersAreRefused) {
+  Soup soup = parse_soup(obj_of(box()), "obj", "box", true);
+  soup.uv[3].pop_back();
+  EXPECT_EQ(test::refusal([&] { check_soup(soup, "box"); }),
+            "box: face 3 has 3 corners, but texture coordinates for 2");
+}
+
 double volume_of(const Mesh& mesh) {
   double sum = 0;
   for (const glm::uvec3& t : mesh.triangle)

@@ -62,6 +62,10 @@ void check_soup(const Soup& soup, const std::string& name) {
   }
   if (glm::all(glm::lessThan(high - low, glm::dvec3(1 / largest_coordinate))))
     throw InputError(fmt::format("{}: the surface is smaller than {:g}", name, 1 / largest_coordinate));
+  for (std::size_t f = 0; f < soup.uv.size(); ++f)
+    if (!soup.uv[f].empty() && soup.uv[f].size() != soup.polygon[f].size())
+      throw InputError(fmt::format("{}: face {} has {} corners, but texture coordinates for {}", name, f,
+                                   soup.polygon[f].size(), soup.uv[f].size()));
   for (std::size_t f = 0; f < soup.polygon.size(); ++f)
     for (const std::uint32_t index : soup.polygon[f])
       if (index >= soup.point.size())
