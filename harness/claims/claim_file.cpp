@@ -239,8 +239,17 @@ fs::path shipped_claims() {
 
 namespace {
 
+/// Returns the metric in words, or its name if the name is plain.
+std::string metric_words(const std::string& metric) {
+  if (metric == "frame_over_baseline") return "frame time divided by the control scene's";
+  if (metric == "baseline_psnr") return "PSNR against the control scene's picture";
+  if (metric == "opengl_ratio") return "time of OpenGL divided by ours";
+  if (metric == "raycast_coarse_psnr") return "PSNR against ray-cast strands";
+  return metric;
+}
+
 std::string quantity_of(const Claim& claim) {
-  std::string text = claim.metric;
+  std::string text = metric_words(claim.metric);
   if (claim.quantity == Quantity::frame_time) text = "frame time";
   if (claim.quantity == Quantity::frame_rate) text = "frame rate";
   if (claim.quantity == Quantity::phase_time) text = fmt::format("time of the phase {}", claim.phase);

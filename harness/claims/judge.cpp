@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "harness/claims/cells.hpp"
 #include "harness/claims/effects.hpp"
@@ -65,8 +66,14 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
   const Verdict verdict = any(Verdict::fails)       ? Verdict::fails
                           : any(Verdict::undecided) ? Verdict::undecided
                                                     : Verdict::holds;
+  // Of the undecided estimates, those behind the one at which Holm's method stopped may have intervals
+  // without a limit. The one at which it stopped has an interval with a limit, and is named.
+  const auto clear = [&](const Decision& one) {
+    return one.verdict == Verdict::undecided && (region.contains(one.interval.low, one.interval.high) ||
+                                                 region.outside(one.interval.low, one.interval.high));
+  };
   return *std::ranges::min_element(each, {}, [&](const Decision& one) {
-    return std::pair(one.verdict != verdict, margin(region, estimates[one.decisive].value));
+    return std::tuple(one.verdict != verdict, clear(one), margin(region, estimates[one.decisive].value));
   });
 }
 

@@ -51,12 +51,14 @@ PaperPlan plan_in(const fs::path& file) {
   plan.paper = in.required_text("paper");
   plan.title = in.required_text("title");
   plan.authors = in.required_text("authors");
+  plan.figures_differ = in.text("figures");
   each_table(file, in, "table", "table", [&](TomlTable& one) {
     plan.tables.push_back(
         {one.required_text("title"), one.required_text("caption"), one.required_text("experiment")});
   });
   each_table(file, in, "figure", "figure", [&](TomlTable& one) {
-    PaperFigure figure{one.required_text("title"), one.required_text("caption"), {}};
+    PaperFigure figure{
+        one.required_text("title"), one.required_text("caption"), one.required_text("differs"), {}};
     each_table(file, one, "panels", figure.title,
                [&](TomlTable& panel) { figure.panels.push_back(panel_of(panel)); });
     if (figure.panels.empty()) one.refuse("title", "a figure needs panels");

@@ -18,6 +18,7 @@ struct FigurePanel {
 
 struct PaperFigure {
   std::string title, caption;
+  std::string differs;  ///< how the figure differs from the paper's, and why
   std::vector<FigurePanel> panels;
 };
 
@@ -35,6 +36,7 @@ struct PaperPlan {
   std::string name;   ///< the word on the command line: the name of the file
   std::string paper;  ///< key of the paper in experiments and claims
   std::string title, authors;
+  std::string figures_differ;  ///< how all figures differ from the paper's, and why
   std::vector<PaperTable> tables;
   std::vector<PaperFigure> figures;
   std::vector<MissingPart> missing;

@@ -25,7 +25,8 @@ std::vector<claims::Judged> claims_of(const PapersPage& page, const PaperPlan& p
   return found;
 }
 
-/// Returns a cell with the number of claims that have this verdict and their names, which lead to the claims.
+/// Returns a cell with the number of claims that have this verdict and, if `named`, their names, which lead
+/// to the claims.
 std::string verdict_cell(const std::vector<claims::Judged>& judged, claims::Verdict verdict, bool named) {
   std::size_t count = 0;
   std::string names;
@@ -35,7 +36,7 @@ std::string verdict_cell(const std::vector<claims::Judged>& judged, claims::Verd
     names += fmt::format("{}<a href=\"#claim-{}\">{}</a>", names.empty() ? "" : ", ", html_text(one.claim.id),
                          html_text(one.claim.id));
   }
-  return fmt::format("<td class=\"prose\">{}{}</td>", count,
+  return fmt::format("<td class=\"prose\" data-label=\"{}\">{}{}</td>", to_text(verdict), count,
                      named && count > 0 ? fmt::format("<br><small>{}</small>", names) : "");
 }
 
@@ -136,11 +137,15 @@ void add_panel(Body& body, const FigurePanel& panel, const fs::path& file, const
 void add_figure(Body& body, const PaperFigure& figure, const std::vector<fs::path>& files, int most_width) {
   body.heading(figure.title, 2);
   body.remark(figure.caption);
-  body.add("<div class=\"grid\">\n");
+  const bool wide = files.size() == 1 || std::ranges::any_of(files, [](const fs::path& file) {
+                      return file.extension() == ".svg";
+                    });
+  body.add(fmt::format("<div class=\"grid{}\">\n", wide ? " large" : ""));
   for (std::size_t i = 0; i < figure.panels.size(); ++i)
     add_panel(body, figure.panels[i], i < files.size() ? files[i] : fs::path(),
               figure.panels.size() > 1 ? std::string(1, char('a' + i)) : "", most_width);
-  body.add("</div>\n");
+  body.add(fmt::format("</div>\n<p class=\"differs\"><b>Against the paper's:</b> {}</p>\n",
+                       html_text(figure.differs)));
 }
 
 void add_missing(Body& body, const PaperPlan& plan) {
@@ -150,6 +155,32 @@ void add_missing(Body& body, const PaperPlan& plan) {
   for (const MissingPart& part : plan.missing)
     body.add(fmt::format("<li>{}: {}</li>\n", html_text(part.what), html_text(part.why)));
   body.add("</ul>\n");
+}
+
+/// Explains the words that a reader of the papers does not know from them.
+void add_terms(Body& body) {
+  body.heading("Terms", 1);
+  body.add("<dl>\n");
+  for (
+      const auto& [term, meaning] : {
+          std::pair("pelage", "the program that measured this page: the papers' methods in OpenCL"),
+          std::pair(
+              "reading",
+              "how the gaps of a paper's text are filled. \"paper\" is what the text prints, with the fewest repairs; \"pelage\" has our defaults"),
+          std::pair("preset", "how much is measured: smoke, quick or paper"),
+          std::pair(
+              "case",
+              "one combination of settings that is measured, such as a model, a number of layers and a size"),
+          std::pair("ok", "the case's picture or state agreed with an implementation in double precision"),
+          std::pair("control scene", "the scene with which a case is compared, frame by frame in turns"),
+          std::pair(
+              "OpenGL",
+              "the papers' kind of program, drawn by Mesa on the same processor unless the provenance names a GPU"),
+          std::pair("geometric mean", "the mean of logarithms, for ratios"),
+          std::pair("PSNR", "difference of two pictures in dB; equal pictures have 200"),
+      })
+    body.add(fmt::format("<dt>{}</dt><dd>{}</dd>\n", html_text(term), html_text(meaning)));
+  body.add("</dl>\n");
 }
 
 std::string devices_of(const std::vector<Report>& reports) {
@@ -171,12 +202,17 @@ std::string papers_body(const std::vector<Report>& reports, const PapersPage& pa
     body.remark(part.plan.authors);
     add_paper_claims(body, page, part.plan);
     for (const PaperTable& table : part.plan.tables) add_paper_table(body, reports, table, page.smoke);
+    if (!part.plan.figures_differ.empty()) {
+      body.heading("How the figures differ", 2);
+      body.remark(part.plan.figures_differ);
+    }
     for (std::size_t f = 0; f < part.plan.figures.size(); ++f)
       add_figure(body, part.plan.figures[f],
                  f < part.panels.size() ? part.panels[f] : std::vector<fs::path>(), most_width);
     add_missing(body, part.plan);
     body.add("</section>\n");
   }
+  add_terms(body);
   body.heading("Provenance", 1);
   for (const Report& report : reports) {
     body.folded("Runs, machines and programs", provenance_of(report.rows));

@@ -73,10 +73,38 @@ void add_table(Body& body, const Table& table, bool latex) {
   body.save_buttons(buttons);
 }
 
+namespace {
+
+/// Returns links to the other claims with the same sentence, with their verdicts.
+std::string same_sentence(const std::vector<claims::Judged>& judged, const claims::Judged& one) {
+  std::string links;
+  for (const claims::Judged& other : judged)
+    if (other.claim.id != one.claim.id && other.claim.statement == one.claim.statement)
+      links += fmt::format("{}<a href=\"#claim-{}\">{}</a> ({})", links.empty() ? "" : ", ",
+                           html_text(other.claim.id), html_text(other.claim.id), to_text(other.verdict));
+  return links.empty()
+             ? ""
+             : "<br><span class=\"soft\">The same sentence, tested otherwise: " + links + ".</span>";
+}
+
+/// Says how the intervals of the claims differ from those of the tables, if they do.
+std::string intervals_text(const std::vector<claims::Judged>& judged) {
+  const int enough = claims::ClaimFile{}.separate_processes;
+  for (const claims::Judged& one : judged)
+    if (one.value && one.processes > 0 && one.processes < std::size_t(enough))
+      return fmt::format(
+          " Where fewer than {} processes measured a case, these intervals assume that times vary by {:g}% between processes; those of the tables do not.",
+          enough, 100 * one.claim.process_spread);
+  return {};
+}
+
+}  // namespace
+
 void add_claims(Body& body, const std::vector<claims::Judged>& judged, const char* title) {
   if (judged.empty()) return;
   body.heading(title, 2);
-  body.remark("The claims are in our words. Each verdict is computed from the rows of this page.");
+  body.remark("The claims are in our words. Each verdict is computed from the rows of this page." +
+              intervals_text(judged));
   body.add(
       "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>measured</th><th>limit</th><th>source</th></tr></thead>\n<tbody>\n");
   for (const claims::Judged& one : judged) {
@@ -85,7 +113,7 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
       details += (details.empty() ? "" : " ") + fmt::format("{}: {}", to_text(one.verdict), one.reason);
     for (const std::string& note : one.notes) details += (details.empty() ? "" : "; ") + note;
     body.add(fmt::format(
-        "<tr id=\"claim-{7}\"><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}</td><td data-sort=\"{3}\">{4}</td><td>{5}</td><td class=\"prose\">{6}</td></tr>\n",
+        "<tr id=\"claim-{7}\"><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}{8}</td><td data-label=\"measured\" data-sort=\"{3}\">{4}</td><td data-label=\"limit\">{5}</td><td data-label=\"source\" class=\"prose\">{6}</td></tr>\n",
         to_text(one.verdict), html_text(one.claim.statement),
         details.empty() ? "" : fmt::format("<br><span class=\"soft\">{}</span>", html_text(details)),
         one.value ? fmt::format("{:.6g}", *one.value) : "",
@@ -94,7 +122,7 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
                                 html_text(claims::description_of(one.claim)))
                   : "-",
         one.value ? html_text(one.claim.relation) : "-", html_text(claims::source_of(one.claim)),
-        html_text(one.claim.id)));
+        html_text(one.claim.id), same_sentence(judged, one)));
   }
   body.add("</tbody></table></div>\n");
   body.save_buttons({{"claims.csv", "CSV"}});

@@ -77,6 +77,17 @@ TEST(Verdicts, HolmLeavesMoreForTheLastEffect) {
   EXPECT_EQ(decide(ten, at_most).verdict, Verdict::undecided);
 }
 
+// Holm's method stops at the first effect, whose interval contains the limit. The second has more draws that
+// contradict it and is undecided too, although its own, narrower interval does not contain the limit.
+TEST(Verdicts, AnUndecidedClaimNamesAnEffectWhoseIntervalContainsALimit) {
+  const Region at_most{{}, 1.0};
+  const Decision decision = decide({around(1.97, 1), around(1.96, 1)}, at_most);
+  EXPECT_EQ(decision.verdict, Verdict::undecided);
+  EXPECT_FALSE(at_most.contains(decision.interval.low, decision.interval.high));
+  EXPECT_FALSE(at_most.outside(decision.interval.low, decision.interval.high))
+      << decision.interval.low << " to " << decision.interval.high;
+}
+
 TEST(Verdicts, OneEffectOutsideIsEnoughToFail) {
   const Region at_most{{}, 1.0};
   const Decision decision = decide({around(0, 0.5), around(5, 0.5), around(9, 0.5)}, at_most);

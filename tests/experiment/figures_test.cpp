@@ -1,7 +1,5 @@
-// Tests the experiments of the papers' figures, and that docs/experiments.md lists them.
+// Tests the experiments of the papers' figures, and the collections of experiments.
 #include <algorithm>
-#include <map>
-#include <regex>
 #include <set>
 
 #include "harness/error.hpp"
@@ -41,30 +39,6 @@ TEST(FigureExperiments, AreDrawnWithTheReadingsOfTheSharedScene) {
       EXPECT_EQ(scene.shading.model, e.paper == "silva2010-wet-fur" ? "wet" : "curling") << which.name;
     }
   }
-}
-
-/// Returns the rows of a table in docs/experiments.md, keyed by the experiment in the second column.
-std::map<std::string, std::string> rows_of_document() {
-  std::map<std::string, std::string> rows;
-  static const std::regex row(R"(^\|[^|]*\| `((?:silva2010|wetfur2010)-fig[0-9]+)`)");
-  for (const std::string& line : test::lines_of(test::text_of(PELAGE_SOURCE_DIR "/docs/experiments.md"))) {
-    std::smatch match;
-    if (std::regex_search(line, match, row)) rows[match[1]] = line;
-  }
-  return rows;
-}
-
-TEST(FigureExperiments, HaveARowWithAllTheirCasesInTheDocument) {
-  std::map<std::string, std::string> rows = rows_of_document();
-  for (const Experiment& e : figures()) {
-    ASSERT_TRUE(rows.contains(e.name)) << e.name;
-    const auto axis = std::ranges::find_if(e.axes, [](const Axis& a) { return a.key == "figure"; });
-    ASSERT_NE(axis, e.axes.end()) << e.name;
-    for (const std::string& value : axis->values)
-      EXPECT_NE(rows[e.name].find("`" + value + "`"), std::string::npos) << e.name << " " << value;
-    rows.erase(e.name);
-  }
-  for (const auto& [name, line] : rows) ADD_FAILURE() << name << " is in the document, but is no experiment";
 }
 
 TEST(Collections, AWordThatIsNoCollectionIsAnExperiment) {

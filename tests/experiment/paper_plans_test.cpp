@@ -74,9 +74,13 @@ TEST(PaperPlans, WithErrorsNameTheLine) {
   EXPECT_EQ(refusal(head), "accepted");
   test::expect_has(refusal("paper = \"p\"\n"), "title = \"...\" is missing");
   test::expect_has(refusal(head + "more = 1\n"), "mine.toml:4: the key more is unknown");
-  test::expect_has(refusal(head + "[[figure]]\ntitle = \"f\"\ncaption = \"c\"\n"), "a figure needs panels");
+  test::expect_has(refusal(head + "[[figure]]\ntitle = \"f\"\ncaption = \"c\"\n"),
+                   "differs = \"...\" is missing");
+  test::expect_has(refusal(head + "[[figure]]\ntitle = \"f\"\ncaption = \"c\"\ndiffers = \"d\"\n"),
+                   "a figure needs panels");
   test::expect_has(
-      refusal(head + "[[figure]]\ntitle = \"f\"\ncaption = \"c\"\npanels = [{ label = \"l\" }]\n"),
+      refusal(head +
+              "[[figure]]\ntitle = \"f\"\ncaption = \"c\"\ndiffers = \"d\"\npanels = [{ label = \"l\" }]\n"),
       "either experiment and case, or scene");
   EXPECT_EQ(refusal(head), "accepted");
   try {

@@ -52,6 +52,9 @@ const page = (() => {
     return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
   }
 
+  // On a phone, the contents would fill the first screen.
+  if (matchMedia("(max-width: 40rem)").matches) document.querySelector("#contents details").open = false;
+
   document.addEventListener("click", event => {
     const button = event.target.closest("button[data-file]");
     if (!button) return;
