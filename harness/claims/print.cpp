@@ -84,7 +84,7 @@ std::string counts_of(const std::vector<Judged>& judged, std::string_view what) 
   if (judged.empty()) return {};
   std::array<std::size_t, 4> counts{};
   for (const Judged& one : judged) ++counts[std::size_t(one.verdict)];
-  std::string text = fmt::format("{} {}:", judged.size(), what);
+  std::string text = fmt::format("{}, {}:", what, judged.size());
   for (std::size_t i = 0; i < counts.size(); ++i)
     text += fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], to_text(Verdict(i)));
   return text + "\n";
@@ -152,7 +152,7 @@ std::string text_of(const std::vector<Judged>& judged, bool all) {
                         missing == 1 ? "1 claim needs rows" : fmt::format("{} claims need rows", missing),
                         fmt::join(experiments, ", "), missing == 1 ? "it" : "them");
   const auto [papers, ours] = by_origin(judged);
-  return text + counts_of(papers, "claims of papers") + counts_of(ours, "claims of our own");
+  return text + counts_of(papers, "Claims of papers") + counts_of(ours, "Claims of our own");
 }
 
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged) {

@@ -327,7 +327,7 @@ void add_reproduce(CLI::App& app, Chosen& chosen) {
       "Run what the tables, figures and claims of papers need, and write one page with all of them",
       reproduce);
   add_value(command, "papers", options.papers, "PAPER",
-            "Papers, such as silva2010; a wrong name lists them (default: all)");
+            "Papers: banisch2006, demoreuille2011, silva2010, wetfur2010 (default: all)");
   add_value(
       command, "--preset", options.preset, "smoke|quick|paper",
       "smoke: small pictures and few frames, no claims; quick: claims are judged; paper: for published numbers")

@@ -132,14 +132,10 @@ std::string summary_of(const std::vector<Report>& reports) {
   }
   std::string text =
       ok == cells
-          ? fmt::format(
-                "{} cases. All of them are ok: their results agreed with the double-precision reference.",
-                cells)
-          : fmt::format(
-                "{} cases. {} of them are ok: their results agreed with the double-precision reference. {}",
-                cells, ok,
-                cells - ok == 1 ? "The other case has no time."
-                                : fmt::format("The other {} cases have no times.", cells - ok));
+          ? fmt::format("{} cases. All of them are ok: they passed their checks.", cells)
+          : fmt::format("{} cases. {} of them are ok: they passed their checks. {}", cells, ok,
+                        cells - ok == 1 ? "The other case has no time."
+                                        : fmt::format("The other {} cases have no times.", cells - ok));
   std::string claims;
   for (std::size_t v = 0; v < verdicts.size(); ++v)
     if (verdicts[v] > 0)

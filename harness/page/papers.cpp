@@ -42,14 +42,16 @@ std::string verdict_cell(const std::vector<claims::Judged>& judged, claims::Verd
 
 /// Adds the table of the first screen: a line for each paper.
 void add_summary(Body& body, const PapersPage& page) {
-  body.add(
-      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>paper</th><th>holds</th><th>fails</th><th>undecided</th><th>untestable</th></tr></thead>\n<tbody>\n");
+  body.add(fmt::format(
+      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>paper</th>{}</tr></thead>\n<tbody>\n",
+      page.smoke ? "<th>claims, not tested</th>"
+                 : "<th>holds</th><th>fails</th><th>undecided</th><th>untestable</th>"));
   for (const PaperPart& part : page.papers) {
     const std::vector<claims::Judged> judged = claims_of(page, part.plan);
     body.add(fmt::format("<tr><td class=\"prose\"><a href=\"#{}\">{}</a></td>", part.plan.name,
                          html_text(part.plan.title)));
     if (page.smoke)
-      body.add(fmt::format("<td>-</td><td>-</td><td>-</td><td>{}</td></tr>\n", judged.size()));
+      body.add(fmt::format("<td data-label=\"claims, not tested\">{}</td></tr>\n", judged.size()));
     else
       body.add(verdict_cell(judged, claims::Verdict::holds, false) +
                verdict_cell(judged, claims::Verdict::fails, true) +
@@ -65,6 +67,10 @@ void add_paper_claims(Body& body, const PapersPage& page, const PaperPlan& plan)
     body.heading("Claims", 2);
     body.remark(fmt::format("{} claims are not tested with the preset smoke: it draws few small frames.",
                             judged.size()));
+    body.add("<ul>\n");
+    for (const claims::Judged& one : judged)
+      body.add(fmt::format("<li>{}</li>\n", html_text(one.claim.statement)));
+    body.add("</ul>\n");
     return;
   }
   // What fails comes first, then what could not be decided.

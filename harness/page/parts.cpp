@@ -110,8 +110,9 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
   for (const claims::Judged& one : judged) {
     std::string details = one.claim.test;
     if (!one.reason.empty())
-      details += (details.empty() ? "" : " ") + fmt::format("{}: {}", to_text(one.verdict), one.reason);
-    for (const std::string& note : one.notes) details += (details.empty() ? "" : "; ") + note;
+      details += (details.empty() ? "" : " ") + fmt::format("Why {}: {}", to_text(one.verdict), one.reason);
+    for (const std::string& note : one.notes)
+      details += fmt::format("{}{}", details.empty() ? "" : details.ends_with('.') ? " " : ". ", note);
     body.add(fmt::format(
         "<tr id=\"claim-{7}\"><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}{8}</td><td data-label=\"measured\" data-sort=\"{3}\">{4}</td><td data-label=\"limit\">{5}</td><td data-label=\"source\" class=\"prose\">{6}</td></tr>\n",
         to_text(one.verdict), html_text(one.claim.statement),

@@ -41,12 +41,8 @@ bool equal_pictures(const Cell& cell) {
 bool reaches(const Quality& quality, double limit, const Cell& cell) {
   const Metric* metric = cell.metric(quality.metric);
   if (!timed(cell) || !metric || (quality.against_control() && equal_pictures(cell))) return false;
-  const double shown = std::stod(three_digits(metric->value));  // a table shows 0.98997 as 0.990
+  const double shown = std::stod(fmt::format("{:.3g}", metric->value));  // a table shows 0.98997 as 0.990
   return quality.error ? shown <= limit : shown >= limit;
-}
-
-std::string limit_text(const Quality& quality, double limit) {
-  return fmt::format("{} {} {:g}", quality.metric, quality.error ? "at most" : "at least", limit);
 }
 
 /// Returns the key columns (axes and "variant") that have several values.
@@ -72,6 +68,42 @@ std::string choice_text(const Cell& cell, const std::vector<std::string>& keys) 
     if (!value.empty()) parts.push_back(number_of(value) ? fmt::format("{} {}", key, value) : value);
   }
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string control_of(const std::vector<Cell>& cells) {
+  std::vector<Cell> controls;
+  for (const Cell& c : cells)
+    if (equal_pictures(c)) controls.push_back(c);
+  std::vector<std::string> shared;
+  for (const std::string& key : keys_of(cells))
+    if (!controls.empty() && std::ranges::all_of(controls, [&](const Cell& c) {
+          return key_value(c, key) == key_value(controls.front(), key);
+        }))
+      shared.push_back(key);
+  return controls.empty() ? "" : choice_text(controls.front(), shared);
+}
+
+std::string words_of(const std::string& metric, const std::vector<Cell>& cells) {
+  const std::string control = control_of(cells);
+  const std::string against = control.empty() ? "the control scene" : control;
+  if (metric == "baseline_psnr") return fmt::format("PSNR against {}, dB", against);
+  if (metric == "baseline_ssim") return fmt::format("SSIM against {}", against);
+  if (metric == "raycast_coarse_psnr") return "PSNR against ray-cast strands, dB";
+  if (metric == "raycast_ssim") return "SSIM against ray-cast strands";
+  if (metric == "error_rms") return "error (RMS), fur lengths";
+  return {};
+}
+
+namespace {
+
+/// Returns a limit in words, for instance "error_rms at most 1% of the fur's length".
+std::string limit_text(const Quality& quality, double limit, const std::vector<Cell>& cells) {
+  if (quality.error) return fmt::format("{} at most {:g}% of the fur's length", quality.metric, 100 * limit);
+  const std::string control = quality.against_control() ? control_of(cells) : "";
+  return fmt::format("{}{} at least {:g}", quality.metric, control.empty() ? "" : " against " + control,
+                     limit);
 }
 
 bool is_numeric_key(const std::vector<Cell>& cells, const std::string& key) {
@@ -181,7 +213,7 @@ std::string choices_sentence(const std::vector<Cell>& cells, const std::vector<s
                 : "none"));
     }
     parts.push_back(
-        fmt::format("ith {}, the cheapest is {}", limit_text(quality, limit), fmt::join(best, ", ")));
+        fmt::format("ith {}, the cheapest is {}", limit_text(quality, limit, cells), fmt::join(best, ", ")));
   }
   return fmt::format("W{}.", fmt::join(parts, "; w"));
 }
@@ -349,7 +381,7 @@ std::optional<Table> choices_of(std::vector<Cell> cells) {
         const Choice choice = cheapest(members, quality, limit);
         std::vector<Value>& line = table.lines.emplace_back();
         for (const std::string& value : at) line.push_back(text_value(value));
-        line.push_back(text_value(limit_text(quality, limit)));
+        line.push_back(text_value(limit_text(quality, limit, cells)));
         line.push_back(text_value(choice.cell ? choice_text(*choice.cell, choices) : "none"));
         const Metric* metric = choice.cell ? choice.cell->metric(quality.metric) : nullptr;
         line.push_back(number_value(metric ? std::optional(choice.cell->median_ms) : std::nullopt));

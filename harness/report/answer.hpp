@@ -17,6 +17,14 @@ std::string answer_of(const std::vector<Cell>& cells);
 /// Returns the metrics of an error or a likeness by which choices_of() chooses.
 std::vector<std::string> qualities_of(const std::vector<Cell>& cells);
 
+/// Returns the settings, of those that vary in the cells, that all control scenes share, for instance "layers
+/// 256"; "" if no cell is the same as its control scene.
+std::string control_of(const std::vector<Cell>& cells);
+
+/// Returns the name of the axis of a plot for a metric of an error or a likeness, with its unit; "" for other
+/// metrics.
+std::string words_of(const std::string& metric, const std::vector<Cell>& cells);
+
 /// Returns the two limits of such a metric that answer_of() names; none for other metrics.
 std::vector<double> told_limits(const std::string& metric);
 

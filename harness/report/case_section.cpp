@@ -107,7 +107,9 @@ std::string steps_remark(const std::vector<Cell>& cells) {
   return fmt::format("Time steps per frame: {}.", text);
 }
 
-std::vector<std::string> value_remarks(const std::vector<std::string>& values, const std::string& sample) {
+std::vector<std::string> value_remarks(const std::vector<std::string>& values,
+                                       const std::vector<Cell>& cells) {
+  const std::string sample = sample_of(cells), control = control_of(cells);
   const auto shows = [&](const char* name) { return std::ranges::find(values, name) != values.end(); };
   std::vector<std::string> remarks;
   if (shows("median_ms"))
@@ -121,6 +123,10 @@ std::vector<std::string> value_remarks(const std::vector<std::string>& values, c
   if (shows("frame_over_baseline"))
     remarks.emplace_back(
         "frame_over_baseline: time of the case divided by the time of the control scene in the same rounds, and its 95% interval. Above 1, the case is slower.");
+  if (shows("baseline_psnr") || shows("baseline_ssim"))
+    remarks.push_back(fmt::format(
+        "baseline_psnr, baseline_ssim: likeness of the case's picture to that of its control scene{}.",
+        control.empty() ? "" : " (" + control + ")"));
   if (shows("frame_over_half") || shows("frame_over_quarter"))
     remarks.emplace_back(
         "frame_over_half, frame_over_quarter: time of the frame divided by the time of a frame with half or a quarter of the layers in the same rounds, and its 95% interval.");
@@ -158,7 +164,7 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
   Section section = about_variants ? of_variants(cells, stem, sources) : of_cases(cells, view, stem, sources);
   Table& table = section.table;
   for (const std::string& name : table.layout.values) show_interval(table, name);
-  std::vector<std::string> explained = value_remarks(table.layout.values, sample_of(cells));
+  std::vector<std::string> explained = value_remarks(table.layout.values, cells);
   table.remarks.insert(table.remarks.begin(), explained.begin(), explained.end());
   add_remarks(table, {steps_remark(cells)});
   add_remarks(table, mark_remarks(cells));

@@ -171,6 +171,7 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
     plot.y = y;
     const std::string sample = sample_of(cells);
     plot.y_label = y != "median_ms" ? heading(y) : sample == "frame" ? "frame time, ms" : sample + ", ms";
+    if (const std::string words = words_of(y, cells); !words.empty()) plot.y_label = words;
     if (y.ends_with("_ms") && !plot.y_label.ends_with(", ms")) plot.y_label += ", ms";
     plot.y_scale = view.y_scale.empty() ? scale_of(table, y) : view.y_scale;
     if (y == "frame_over_baseline") plot.y_label = "frame time / frame time of the baseline", plot.guide = 1;

@@ -61,7 +61,7 @@ std::string three_digits(double number) {
   if (number == 0 || !std::isfinite(number)) return fmt::format("{}", number);
   const int decimals = 2 - int(std::floor(std::log10(std::abs(number)) + 1e-9));
   if (decimals > 6) return fmt::format("{:.3g}", number);
-  return fmt::format("{:.{}f}", number, std::clamp(decimals, 0, 4));
+  return fmt::format("{:.{}f}", number, std::max(decimals, 0));
 }
 
 int column_of(const Table& table, std::string_view name) {

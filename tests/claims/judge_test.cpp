@@ -243,11 +243,11 @@ TEST(Printing, ShowsOnlyWhatIsKnown) {
                 same + "; the claim: at most 4\nfails      c  (shape; ours)\n    s\n" + same +
                 ", from 2 effects; the claim: at most 4\n"
                 "1 claim needs rows of these experiments, which have no rows here: e; --all lists it\n"
-                "1 claims of papers: 0 holds, 1 fails, 0 undecided, 0 untestable\n"
-                "3 claims of our own: 0 holds, 2 fails, 0 undecided, 1 untestable\n");
+                "Claims of papers, 1: 0 holds, 1 fails, 0 undecided, 0 untestable\n"
+                "Claims of our own, 3: 0 holds, 2 fails, 0 undecided, 1 untestable\n");
   EXPECT_EQ(
       text_of({missing}, true),
-      "untestable   (shape; ours)\n    \n1 claims of our own: 0 holds, 0 fails, 0 undecided, 1 untestable\n");
+      "untestable   (shape; ours)\n    \nClaims of our own, 1: 0 holds, 0 fails, 0 undecided, 1 untestable\n");
 }
 
 }  // namespace

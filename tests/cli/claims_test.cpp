@@ -47,7 +47,7 @@ TEST_F(Claims, OfTheUserNeedNoProgram) {
   EXPECT_EQ(
       none.out,
       "1 claim needs rows of these experiments, which have no rows here: my-experiment; --all lists it\n"
-      "1 claims of our own: 0 holds, 0 fails, 0 undecided, 1 untestable\n");
+      "Claims of our own, 1: 0 holds, 0 fails, 0 undecided, 1 untestable\n");
   expect_has(pelage("claims " + results + " --claims my.toml --all").out,
              "untestable: there are no rows of the experiment my-experiment");
 }
