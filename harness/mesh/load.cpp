@@ -28,7 +28,7 @@ namespace {
 // whenever a change of the code changes the prepared mesh of any model or file.
 constexpr int recipe = 4;
 constexpr int procedural_recipe = 3;  // version of the preparation of procedural shapes
-constexpr int file_recipe = 5;        // version of the preparation of users' mesh files
+constexpr int file_recipe = 6;        // version of the preparation of users' mesh files
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;

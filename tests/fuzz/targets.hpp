@@ -15,9 +15,9 @@ void archive(std::string_view bytes);     ///< a member of a tar.gz archive of m
 void cached(std::string_view bytes);      ///< content of a mesh cache file; cached() adds title and checksum
 void claims(std::string_view bytes);      ///< a file of claims
 void experiment(std::string_view bytes);  ///< an experiment file
-void gltf(std::string_view bytes);  ///< the parts of a glTF file that pelage reads before it calls tinygltf
-void journal(std::string_view bytes);  ///< a journal (rows of results); journal() adds the checksums
-void mesh(std::string_view bytes, std::string_view format);  ///< OBJ, OFF, PLY or STL
+void gltf(std::string_view bytes);        ///< glTF, text or binary
+void journal(std::string_view bytes);     ///< a journal (rows of results); journal() adds the checksums
+void mesh(std::string_view bytes, std::string_view format);  ///< OBJ, OFF, PLY, STL or 3DS
 void models(std::string_view bytes);                         ///< a file such as experiments/models.toml
 void options(std::string_view bytes);                        ///< values of command-line options
 void picture(std::string_view bytes);    ///< a picture file; the first byte selects its format
@@ -31,7 +31,8 @@ struct Target {
   void (*run)(std::string_view bytes);
 };
 
-inline constexpr std::array<Target, 17> targets{{{"archive", archive},
+inline constexpr std::array<Target, 18> targets{{{"3ds", [](std::string_view bytes) { mesh(bytes, "3ds"); }},
+                                                 {"archive", archive},
                                                  {"cached", cached},
                                                  {"claims", claims},
                                                  {"experiment", experiment},

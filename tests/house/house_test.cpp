@@ -101,7 +101,7 @@ TEST(House, PlantedInclusionsAreFound) {
       {"harness/commands/run.cpp", "<CL/cl.h>"},
       {"harness/error.hpp", "\"CL/cl.h\""},
       {"harness/scene/scene_read.cpp", "<CGAL/Surface_mesh.h>"},
-      {"harness/commands/mesh.cpp", "<assimp/Importer.hpp>"},
+      {"harness/commands/mesh.cpp", "<tiny_gltf.h>"},
       {"harness/report/images.cpp", "<OpenImageIO/imageio.h>"},
       {"harness/commands/render.cpp", "<epoxy/gl.h>"},
       {"harness/scene/scene_read.cpp", "\"harness/shells/opencl/shells.hpp\""},

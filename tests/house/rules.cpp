@@ -61,8 +61,7 @@ std::string harness_fault(const std::string& path, const std::string& what, cons
   const bool everything = room == "commands" || path == "harness/main.cpp";
   if (what.starts_with("CL/") && room != "cl") return "only harness/cl includes OpenCL";
   if (what.starts_with("CGAL/") && room != "mesh") return "only harness/mesh includes CGAL";
-  if ((what.starts_with("assimp/") || what == "tiny_gltf.h") && room != "mesh_read")
-    return "only harness/mesh/read includes Assimp and tinygltf";
+  if (what == "tiny_gltf.h" && room != "mesh_read") return "only harness/mesh/read includes tinygltf";
   if (what.starts_with("OpenImageIO/") && room != "picture")
     return "only harness/picture includes OpenImageIO";
   if (what.starts_with("epoxy/") && room != "gl") return "only harness/gl includes OpenGL";

@@ -160,7 +160,7 @@ TEST(BadFile, is_refused_in_one_line) {
   }
 }
 
-// The text of these errors comes from Assimp and tinygltf, so the test checks only that the message is a
+// The text of these errors comes from tinygltf, so the test checks only that the message is a
 // single line with the file's name.
 TEST(BadMesh, garbage_in_formats_that_libraries_read_is_refused_in_one_line) {
   const test::Folder folder;

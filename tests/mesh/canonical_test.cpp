@@ -98,7 +98,7 @@ std::string obj(const Soup& soup) {
   return text;
 }
 
-// Assimp, which reads the UV map of a file, divides a face into triangles from its first corner.
+// The order of a file decides neither how a face is divided into triangles nor anything else.
 TEST(Canonical, AFileGivesTheSameMeshInEveryOrder) {
   const test::Folder folder;
   const Soup soup = shape();

@@ -165,6 +165,35 @@ std::string ply_of(const Box& box, const std::string& format, bool corner_uv) {
   return bytes;
 }
 
+std::string chunk_of(std::uint16_t type, const std::string& content) {
+  std::string bytes;
+  put(bytes, type);
+  put(bytes, std::uint32_t(content.size() + 6));
+  return bytes + content;
+}
+
+/// The z axis of 3DS points up. `last` is the last vertex of the last face.
+std::string three_ds_of(const Box& box, std::uint16_t last) {
+  std::string points, uv, faces;
+  put(points, std::uint16_t(box.point.size()));
+  for (const glm::dvec3& p : box.point)
+    for (const double x : {p.x, -p.z, p.y}) put(points, float(x));
+  put(uv, std::uint16_t(box.uv.size()));
+  for (const glm::dvec2& p : box.uv)
+    for (const double x : {p.x, p.y}) put(uv, float(x));
+  put(faces, std::uint16_t(box.triangle.size()));
+  for (const auto& t : box.triangle) {
+    for (const int i : t) put(faces, std::uint16_t(i));
+    put(faces, std::uint16_t(7));
+  }
+  std::memcpy(&faces[faces.size() - 4], &last, sizeof last);
+  const std::string mesh =
+      chunk_of(0x4100, chunk_of(0x4110, points) + chunk_of(0x4160, std::string(48, '\0')) + chunk_of(0x4140, uv) +
+                        chunk_of(0x4120, faces + chunk_of(0x4150, std::string(48, '\0'))));
+  return chunk_of(0x4d4d, chunk_of(2, std::string(4, '\3')) +
+                           chunk_of(0x3d3d, chunk_of(0xafff, "") + chunk_of(0x4000, std::string("box\0", 4) + mesh)));
+}
+
 struct Strangers : test::InFolder {
   std::vector<std::array<double, 5>> plain = corners_of(parse_soup(obj_of(box()), "obj", "box", true));
   std::vector<std::array<double, 5>> without_uv = corners_of(parse_soup(obj_of(box()), "obj", "box"));
@@ -206,6 +235,12 @@ TEST_F(Strangers, TheSameBoxInEveryFormatHasTheSameSurfaceAndUv) {
     EXPECT_EQ(corners(folder.write("box.stl", unknown)), without_uv);
   }
   EXPECT_EQ(corners(folder.write("box.stl", stl + "tail")), without_uv);
+  test::expect_has(test::refusal([&] { corners(folder.write("box.stl", stl + std::string(50, '\0'))); }),
+                   "12 triangles need 684 bytes, the file has 734");
+  const auto last = std::uint16_t(box().triangle.back()[2]);
+  EXPECT_EQ(corners(folder.write("box.3ds", three_ds_of(box(), last))), plain);
+  test::expect_has(test::refusal([&] { corners(folder.write("box.3ds", three_ds_of(box(), 24))); }),
+                   "box.3ds: a face has the vertex 24; there are 24");
   EXPECT_EQ(corners(folder.write("box.stl", text + "endsolid\n")), without_uv);
 }
 
@@ -236,6 +271,31 @@ TEST_F(Strangers, GltfNumbersMayBeQuantized) {
             gltf_of(folder, box(), {}, {}, "", R"("extensionsRequired":["KHR_draco_mesh_compression"],)"));
       }),
       "box.gltf: the file requires the extension KHR_draco_mesh_compression, which pelage does not read");
+}
+
+TEST_F(Strangers, GltfOfOtherVersionsAndTypesIsRefused) {
+  const auto changed = [&](const std::string& from, const std::string& to, bool binary = false) {
+    const std::string file = gltf_of(folder, box(), {}, {}, "", "", binary);
+    std::string text = test::text_of(file);
+    text.replace(text.find(from), from.size(), to);
+    folder.write(fs::path(file).filename().string(), text);
+    return test::refusal([&] { corners(file); });
+  };
+  test::expect_has(changed(R"("version":"2.0")", R"("version":"1.0")"),
+                   "has the version 1.0; version 2.0 is read");
+  test::expect_has(changed(R"("version":"2.0")", R"("version":"2.0","minVersion":"2.7")"), "the version 2.7");
+  test::expect_has(changed("glTF\2", "glTF\1", true), "a binary file of version 1; version 2 is read");
+  test::expect_has(changed(R"("componentType":5126)", R"("componentType":5124)"),
+                   "the component type 5124 is unknown");
+}
+
+// The file may be longer than its buffer, and its name has a percent-encoded space and a plus sign.
+TEST_F(Strangers, GltfBuffersMayHaveAnyNameAndMoreBytes) {
+  const std::string file = gltf_of(folder, box());
+  folder.write("a +.bin", folder.read("box.bin") + "more");
+  std::string text = test::text_of(file);
+  text.replace(text.find("box.bin"), 7, "a%20+.bin");
+  EXPECT_EQ(corners(folder.write("box.gltf", text)), plain);
 }
 
 TEST_F(Strangers, TextureCoordinatesOfSomeCornersAreRefused) {

@@ -224,6 +224,38 @@ TEST(Strangers, WindowsArePlacedAndOrientationsApplied) {
   EXPECT_EQ(colour_difference(stranger("crop.exr"), middle), 0);
 }
 
+// Orientation 5 is that of the transposed picture, 7 that of the picture transposed at the other diagonal.
+TEST(Strangers, TransposedPicturesAreTransposedAgain) {
+  const test::Folder folder;
+  const std::string five("\x12\x01\x03\0\x01\0\0\0\x05", 9);  // the entry Orientation of the TIFF file
+  const auto with = [&](char orientation) {
+    std::string bytes =
+        test::text_of(fs::path(PELAGE_SOURCE_DIR) / "tests/picture/strangers/orientation5.tif");
+    const std::size_t place = bytes.find(five);
+    EXPECT_NE(place, std::string::npos);
+    bytes[place + five.size() - 1] = orientation;
+    return read_picture(folder.write("turned.tif", bytes));
+  };
+  const Picture stored = with(1), five_turned = with(5), seven_turned = with(7);
+  EXPECT_EQ(five_turned.width, stored.height);
+  EXPECT_EQ(
+      colour_difference(five_turned, rearranged(five_turned, [&](int x, int y) { return stored.at(y, x); })),
+      0);
+  EXPECT_EQ(colour_difference(seven_turned, rearranged(seven_turned,
+                                                       [&](int x, int y) {
+                                                         return stored.at(stored.width - 1 - y,
+                                                                          stored.height - 1 - x);
+                                                       })),
+            0);
+}
+
+// The file has the channels B, G, R, Z, id and left.R.
+TEST(Strangers, ExrChannelsAreChosenByTheirNames) {
+  const Picture found = stranger("channels.exr");
+  EXPECT_EQ(found.at(0, 0), glm::vec4(0.984375f, 0.25f, 0.375f, 1));
+  EXPECT_EQ(found.at(3, 0), glm::vec4(0.4375f, 0.9375f, 0.53125f, 1));
+}
+
 TEST(Strangers, BytesAfterAJpegAreIgnoredAndMissingOnesAreNot) {
   EXPECT_EQ(colour_difference(stranger("trail.jpg"), stranger("rgb.jpg")), 0);
   const test::Folder folder;

@@ -26,8 +26,17 @@ Soup read_stl(std::string_view bytes, const std::string& name);
 /// glTF 2.0, .gltf or .glb, with tinygltf. Reads the triangles of the default scene.
 Soup read_gltf(const std::string& bytes, const std::filesystem::path& file, bool with_uv);
 
-/// 3DS, with Assimp.
-Soup read_3ds(const std::filesystem::path& file, bool with_uv);
+/// 3DS. Its z axis, which points up, becomes the y axis.
+Soup read_3ds(std::string_view bytes, const std::string& name, bool with_uv);
+
+/// The JSON text and the binary content of a glTF file.
+struct GltfParts {
+  std::string_view json, binary;
+};
+
+/// Returns the parts of a binary file (.glb): after a header of 12 bytes, each has its length, its type and
+/// its content. The parts of a text file (.gltf) are its text and nothing. `name` is the file in messages.
+GltfParts gltf_parts(std::string_view bytes, const std::string& name);
 
 /// Returns the paths of the files to which a glTF file (.gltf or .glb) refers: first the buffers, then the
 /// pictures, each in the order in which the glTF file lists them. Data URIs are left out. The list is empty

@@ -1,11 +1,10 @@
-// Reads glTF 2.0. tinygltf reads the JSON, the buffers and the data URIs; this file reads the accessors,
-// whose numbers may be quantized or sparse, and places the meshes by their nodes.
+// Reads glTF 2.0. tinygltf reads the JSON and the data URIs; this file reads the accessors, whose numbers may
+// be quantized or sparse, and places the meshes by their nodes.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-// tinygltf is compiled here, not linked: libdraco, on which Assimp depends, contains another version of it,
-// whose functions would be called instead.
+// tinygltf is compiled here, not linked, so that it has the options below.
 #define TINYGLTF_IMPLEMENTATION
 #define TINYGLTF_NO_INCLUDE_JSON
 #define TINYGLTF_NO_STB_IMAGE
@@ -38,6 +37,10 @@ class Gltf {
       : model_(model), name_(std::move(name)), with_uv_(with_uv) {}
 
   Soup read() {
+    const auto newer = [](const std::string& version) { return !version.empty() && version != "2.0"; };
+    if (!model_.asset.version.starts_with("2.") || newer(model_.asset.minVersion))
+      fail(fmt::format("the file has the version {}; version 2.0 is read",
+                       newer(model_.asset.minVersion) ? model_.asset.minVersion : model_.asset.version));
     for (const std::string& extension : model_.extensionsRequired)
       if (std::ranges::none_of(known, [&](std::string_view start) { return extension.starts_with(start); }))
         fail(fmt::format("the file requires the extension {}, which pelage does not read", extension));
@@ -188,7 +191,7 @@ class Gltf {
     const tinygltf::BufferView& view = at(model_.bufferViews, index, "buffer view");
     const tinygltf::Buffer& buffer = at(model_.buffers, view.buffer, "buffer");
     const int bytes = tinygltf::GetComponentSizeInBytes(std::uint32_t(type));
-    if (bytes <= 0 || type == TINYGLTF_COMPONENT_TYPE_DOUBLE)
+    if (bytes <= 0 || type == TINYGLTF_COMPONENT_TYPE_INT || type == TINYGLTF_COMPONENT_TYPE_DOUBLE)
       fail(fmt::format("the component type {} is unknown", type));
     const std::size_t size = std::size_t(bytes) * std::size_t(width);
     const std::size_t stride = tight || view.byteStride == 0 ? size : view.byteStride;
@@ -222,8 +225,6 @@ class Gltf {
         return value<std::int16_t>(bytes, normalized);
       case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
         return value<std::uint16_t>(bytes, normalized);
-      case TINYGLTF_COMPONENT_TYPE_INT:
-        return value<std::int32_t>(bytes, normalized);
       case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
         return value<std::uint32_t>(bytes, normalized);
       default:
@@ -242,37 +243,48 @@ class Gltf {
 }  // namespace
 
 Soup read_gltf(const std::string& bytes, const std::filesystem::path& file, bool with_uv) {
-  gltf_files(bytes, file);
+  const std::string name = file.string();
+  const auto refuse = [&](std::string why) {
+    std::ranges::replace(why, '\n', ' ');
+    throw InputError(fmt::format("{}: not readable: {}", name, why.empty() ? "invalid glTF" : why));
+  };
+  // tinygltf reads a + in a URI as a space and refuses files that are longer than their buffers. It therefore
+  // gets the contents of the buffers under the names "0", "1", ..., and neither pictures nor a binary file.
+  std::vector<std::string> contents;
+  const GltfParts parts = gltf_parts(bytes, name);
+  std::vector<std::filesystem::path> files = gltf_files(bytes, file);
+  nlohmann::json json = nlohmann::json::parse(parts.json, nullptr, false);
+  if (!json.is_object()) refuse("its JSON text is damaged");
+  json.erase("images");
+  if (nlohmann::json& buffers = json["buffers"]; buffers.is_array())
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+      if (!buffers[i].is_object() || !buffers[i]["byteLength"].is_number_unsigned()) continue;
+      const bool outside = buffers[i]["uri"].is_string();
+      if (outside && buffers[i]["uri"].get<std::string>().starts_with("data:")) continue;
+      if (!outside && i > 0) refuse(fmt::format("buffer {} has no content", i));
+      contents.push_back(outside ? read_bytes(files.front(), largest_mesh_file) : std::string(parts.binary));
+      if (outside) files.erase(files.begin());
+      if (const auto need = buffers[i]["byteLength"].get<std::size_t>(); need > contents.back().size())
+        refuse(fmt::format("buffer {} has {} bytes; {} are needed", i, contents.back().size(), need));
+      buffers[i]["byteLength"] = contents.back().size();
+      buffers[i]["uri"] = std::to_string(contents.size() - 1);
+    }
   tinygltf::TinyGLTF loader;
-  // gltf_files() has checked the names of all files.
   loader.SetFsCallbacks(
-      {[](const std::string& name, void*) { return std::filesystem::is_regular_file(name); },
-       [](const std::string& name, void*) { return name; },
-       [](std::vector<unsigned char>* to, std::string*, const std::string& name, void*) {
-         const std::string text = read_bytes(name, largest_mesh_file);
-         to->assign(text.begin(), text.end());
+      {[](const std::string&, void*) { return true; }, [](const std::string& uri, void*) { return uri; },
+       [](std::vector<unsigned char>* to, std::string*, const std::string& uri, void* from) {
+         auto& all = *static_cast<std::vector<std::string>*>(from);
+         const std::string& content = all.at(std::size_t(std::stoi(uri)));
+         to->assign(content.begin(), content.end());
          return true;
        },
-       nullptr, nullptr});
-  // Pictures are not decoded.
-  loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
-                           int, void*) { return true; },
-                        nullptr);
+       nullptr, &contents});
   tinygltf::Model model;
   std::string error, warning;
-  const std::string folder = file.parent_path().string();
-  const auto size = unsigned(bytes.size());  // at most largest_mesh_file
-  const bool good =
-      bytes.starts_with("glTF")
-          ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                        reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-          : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
-  if (!good) {
-    std::ranges::replace(error, '\n', ' ');
-    throw InputError(
-        fmt::format("{}: not readable: {}", file.string(), error.empty() ? "invalid glTF" : error));
-  }
-  return Gltf(model, file.string(), with_uv).read();
+  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (!loader.LoadASCIIFromString(&model, &error, &warning, text.data(), unsigned(text.size()), ""))
+    refuse(error);
+  return Gltf(model, name, with_uv).read();
 }
 
 }  // namespace pelage::detail

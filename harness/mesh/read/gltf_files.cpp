@@ -12,17 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the JSON text of a glTF file. A binary file (.glb) begins with a header of 12 bytes. The JSON
-/// chunk follows the header. It consists of the length of its text, its type and its text.
-std::string_view json_text(std::string_view bytes) {
-  constexpr std::size_t header = 12, chunk = 8;
-  if (!bytes.starts_with("glTF")) return bytes;
-  std::uint32_t length;
-  if (bytes.size() < header + chunk) return {};
-  std::memcpy(&length, bytes.data() + header, sizeof length);
-  return bytes.substr(header + chunk, length);
-}
-
 /// Replaces each percent-encoded byte by the byte itself, for example %20 by a space.
 std::string decoded(const std::string& uri) {
   std::string text;
@@ -43,6 +32,24 @@ std::string decoded(const std::string& uri) {
 
 }  // namespace
 
+GltfParts gltf_parts(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t header = 12, chunk = 8;
+  if (!bytes.starts_with("glTF")) return {bytes, {}};
+  const auto number_at = [&](std::size_t place) {
+    std::uint32_t number = 0;
+    if (place + sizeof number <= bytes.size()) std::memcpy(&number, &bytes[place], sizeof number);
+    return std::size_t(number);
+  };
+  if (number_at(4) != 2)
+    throw InputError(fmt::format("{}: a binary file of version {}; version 2 is read", name, number_at(4)));
+  const std::size_t text = number_at(header), binary = header + chunk + text;
+  const std::size_t size = binary + chunk <= bytes.size() ? number_at(binary) : 0;
+  if (binary > bytes.size() || (size > 0 && size > bytes.size() - binary - chunk))
+    throw InputError(fmt::format("{}: the file ends early", name));
+  return {bytes.substr(header + chunk, text),
+          size > 0 ? bytes.substr(binary + chunk, size) : std::string_view()};
+}
+
 std::vector<fs::path> gltf_files(const fs::path& file) {
   const std::string ending = ending_of(file);
   if (ending != "gltf" && ending != "glb") return {};
@@ -50,7 +57,7 @@ std::vector<fs::path> gltf_files(const fs::path& file) {
 }
 
 std::vector<fs::path> gltf_files(std::string_view bytes, const fs::path& file) {
-  const auto json = nlohmann::json::parse(json_text(bytes), nullptr, false);
+  const auto json = nlohmann::json::parse(gltf_parts(bytes, file.string()).json, nullptr, false);
   std::vector<fs::path> files;
   if (!json.is_object()) return files;
   for (const char* list : {"buffers", "images"}) {

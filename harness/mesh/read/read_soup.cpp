@@ -80,6 +80,7 @@ Soup parse_soup(std::string_view bytes, std::string_view format, const std::stri
   Soup soup = format == "obj"   ? detail::read_obj(bytes, name, with_uv)
               : format == "off" ? detail::read_off(bytes, name, with_uv)
               : format == "ply" ? detail::read_ply(bytes, name, with_uv)
+              : format == "3ds" ? detail::read_3ds(bytes, name, with_uv)
                                 : detail::read_stl(bytes, name);
   check_soup(soup, name);
   return soup;
@@ -91,9 +92,8 @@ Soup read_soup(const std::filesystem::path& file, bool with_uv) {
     throw InputError(
         fmt::format("{}: meshes are read from .obj, .off, .ply, .stl, .3ds, .gltf and .glb", file.string()));
   const std::string bytes = read_bytes(file, largest_mesh_file);
-  const bool gltf = format == "gltf" || format == "glb";
-  if (!gltf && format != "3ds") return parse_soup(bytes, format, file.string(), with_uv);
-  Soup soup = gltf ? detail::read_gltf(bytes, file, with_uv) : detail::read_3ds(file, with_uv);
+  if (format != "gltf" && format != "glb") return parse_soup(bytes, format, file.string(), with_uv);
+  Soup soup = detail::read_gltf(bytes, file, with_uv);
   check_soup(soup, file.string());
   return soup;
 }

@@ -22,11 +22,11 @@ struct Soup {
 /// `with_uv` is true, also reads the file's UV map, if it has one. Throws InputError if the file is not a
 /// usable mesh. The message contains the file's name, the line if known, and the permitted content. The
 /// returned soup is not empty, its numbers are finite and its indices are in range. Malicious files may crash
-/// tinygltf and Assimp, so call this function inside isolated().
+/// tinygltf, so call this function inside isolated().
 Soup read_soup(const std::filesystem::path& file, bool with_uv);
 
-/// Parses the bytes of an OBJ, OFF, PLY or STL file. `format` is the file's extension in lower case without
-/// the dot.
+/// Parses the bytes of an OBJ, OFF, PLY, STL or 3DS file. `format` is the file's extension in lower case
+/// without the dot.
 Soup parse_soup(std::string_view bytes, std::string_view format, const std::string& name,
                 bool with_uv = false);
 

@@ -53,7 +53,7 @@ Soup read_binary(std::string_view bytes, const std::string& name) {
   if ((count == 0 || count == 0xffffffffu) && (bytes.size() - header) % facet == 0)
     count = std::uint32_t(there);
   if (count == 0) fail(name, 0, "the file contains no faces");
-  if (count > there)
+  if (count != there)
     fail(name, 0,
          fmt::format("{} triangles need {} bytes, the file has {}", count,
                      header + facet * std::uint64_t(count), bytes.size()));

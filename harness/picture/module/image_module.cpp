@@ -110,15 +110,35 @@ void place(OIIO::ImageSpec& spec, const std::string& kind, int channels, std::ve
     OIIO::ImageBufAlgo::paste(to, spec.x - spec.full_x, spec.y - spec.full_y, 0, 0,
                               OIIO::ImageBuf(own, values.data()));
   } else {
-    own.attribute("Orientation", spec.get_int_attribute("Orientation", 1));
-    if (own.get_int_attribute("Orientation") == 1) return;
-    to = OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(own, values.data()));
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    if (orientation == 1) return;
+    own.attribute("Orientation", orientation);
+    const OIIO::ImageBuf stored(own, values.data());
+    // OpenImageIO 2.4 takes 5 for 7 and 7 for 5.
+    if (orientation == 5 || orientation == 7)
+      to = OIIO::ImageBufAlgo::transpose(stored);
+    else
+      to = OIIO::ImageBufAlgo::reorient(stored);
+    if (orientation == 7) to = OIIO::ImageBufAlgo::rotate180(to);
   }
   std::vector<float> placed(to.roi().npixels() * std::size_t(channels));
   to.get_pixels(to.roi(), OIIO::TypeDesc::FLOAT, placed.data());
   values = std::move(placed);
   spec.width = to.roi().width();
   spec.height = to.roi().height();
+}
+
+/// Returns the channels of red, green and blue. An EXR file may have others before and after them.
+std::array<int, 3> colour_channels(const OIIO::ImageSpec& spec, const std::string& kind,
+                                   const fs::path& file) {
+  if (kind != "openexr") return spec.nchannels < 3 ? std::array{0, 0, 0} : std::array{0, 1, 2};
+  const auto place = [&](const char* name) { return spec.channelindex(name); };
+  const std::array<int, 3> colour{place("R"), place("G"), place("B")},
+      grey{place("Y"), place("Y"), place("Y")};
+  const std::array<int, 3>& chosen = grey[0] < 0 ? colour : grey;
+  if (*std::ranges::min_element(chosen) < 0)
+    throw InputError(fmt::format("{}: the picture has neither the channels R, G and B nor Y", file.string()));
+  return chosen;
 }
 
 Picture read(const fs::path& file, const std::string& kind) {
@@ -142,7 +162,7 @@ Picture read(const fs::path& file, const std::string& kind) {
   }
   require_end(file, kind);
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-  const int channels = std::min(spec.nchannels, 4);
+  const int channels = spec.nchannels;
   std::vector<float> values(pixels * static_cast<std::size_t>(channels));
   const bool read = input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data());
   // For a truncated TIFF, read_image() returns true, but geterror() returns an error message.
@@ -152,12 +172,11 @@ Picture read(const fs::path& file, const std::string& kind) {
 
   place(spec, kind, channels, values);
   Picture picture{spec.width, spec.height, std::vector<glm::vec4>(values.size() / std::size_t(channels))};
-  const bool grey = channels < 3;
-  const bool alpha = channels == 2 || channels == 4;
+  const std::array<int, 3> colour = colour_channels(spec, kind, file);
   for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
     const float* value = &values[i * static_cast<std::size_t>(channels)];
-    picture.pixel[i] =
-        glm::vec4(value[0], value[grey ? 0 : 1], value[grey ? 0 : 2], alpha ? value[channels - 1] : 1.0f);
+    picture.pixel[i] = glm::vec4(value[colour[0]], value[colour[1]], value[colour[2]],
+                                 spec.alpha_channel < 0 ? 1.0f : value[spec.alpha_channel]);
   }
   return picture;
 }
