@@ -167,6 +167,7 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
     inner->finish();
   }
   claim.absolute = table.choice("kind", kinds, 0) == 1;
+  claim.why = table.text("why");
   claim.untestable = table.text("untestable");
   if (!claim.untestable.empty()) {
     table.finish();

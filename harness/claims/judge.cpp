@@ -210,6 +210,12 @@ void judge_rows(const ClaimFile& file, Judged& judged, const std::vector<const R
         judged, decide(estimates_of(claim, parts, drawings_of(file, claim, cells.cells, 0)), claim.region),
         std::size_t(file.separate_processes));
   add_paper(judged, cells.cells);
+  if (decision.verdict == Verdict::fails)
+    judged.reason =
+        !claim.why.empty() ? claim.why
+        : claim.absolute
+            ? "the claim depends on the device's speed, and this device is slower than the paper's"
+            : "";
   if (!claim.hardware.empty() && judged.device.find(claim.hardware) == std::string::npos) {
     judged.verdict = Verdict::untestable;
     judged.reason = fmt::format("the claim is about the paper's hardware ({})", claim.hardware);

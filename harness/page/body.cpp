@@ -169,7 +169,7 @@ std::string body_of(const std::vector<Report>& reports, const PageParts& parts) 
     notes += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));
   return fmt::format(
       "<header>\n<h1>{}</h1>\n{}<p class=\"soft\">{}</p>\n{}</header>\n"
-      "<nav id=\"contents\" aria-label=\"Contents\"><details open><summary>Contents</summary>\n{}</details></nav>\n"
+      "<nav id=\"contents\" aria-label=\"Contents\"><details><summary>Contents</summary>\n{}</details></nav>\n"
       "<main>\n{}</main>\n",
       html_text(page_title(reports)), answers_of(reports), html_text(summary_of(reports)), notes,
       contents_of(body.entries()), body.html());

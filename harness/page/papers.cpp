@@ -43,7 +43,7 @@ std::string verdict_cell(const std::vector<claims::Judged>& judged, claims::Verd
 /// Adds the table of the first screen: a line for each paper.
 void add_summary(Body& body, const PapersPage& page) {
   body.add(fmt::format(
-      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>paper</th>{}</tr></thead>\n<tbody>\n",
+      "<div class=\"wide\"><table class=\"claims summary\">\n<thead><tr><th>paper</th>{}</tr></thead>\n<tbody>\n",
       page.smoke ? "<th>claims, not tested</th>"
                  : "<th>holds</th><th>fails</th><th>undecided</th><th>untestable</th>"));
   for (const PaperPart& part : page.papers) {
@@ -181,9 +181,16 @@ void add_terms(Body& body) {
           std::pair("control scene", "the scene with which a case is compared, frame by frame in turns"),
           std::pair(
               "OpenGL",
-              "the papers' kind of program, drawn by Mesa on the same processor unless the provenance names a GPU"),
+              "the papers' kind of program. On a device without a GPU, Mesa (llvmpipe) draws it on the same processor"),
+          std::pair("R", "the unit of length: the radius of the model's bounding sphere"),
+          std::pair(
+              "effect",
+              "the number that a claim is about; [a, b] is its 95% interval, or that with the confidence named behind it"),
+          std::pair(
+              "* and !",
+              "a time that varies more than the preset allows; a time measured while other programs used the processor"),
           std::pair("geometric mean", "the mean of logarithms, for ratios"),
-          std::pair("PSNR", "difference of two pictures in dB; equal pictures have 200"),
+          std::pair("PSNR", "likeness of two pictures, in dB; equal pictures are called equal"),
       })
     body.add(fmt::format("<dt>{}</dt><dd>{}</dd>\n", html_text(term), html_text(meaning)));
   body.add("</dl>\n");
@@ -192,7 +199,12 @@ void add_terms(Body& body) {
 std::string devices_of(const std::vector<Report>& reports) {
   std::set<std::string> devices;
   for (const Report& report : reports)
-    for (const Cell& cell : report.cells) devices.insert(cell.device);
+    for (const FoundRow& found : report.rows) {
+      const auto units = found.row.provenance.find("compute_units");
+      const bool known = units != found.row.provenance.end() && units->is_number();
+      devices.insert(found.row.device +
+                     (known ? fmt::format(" with {} compute units", units->get<int>()) : ""));
+    }
   std::string text;
   for (const std::string& device : devices) text += (text.empty() ? "" : ", ") + device;
   return text;
@@ -228,12 +240,12 @@ std::string papers_body(const std::vector<Report>& reports, const PapersPage& pa
   for (const std::string& note : page.notes) summary.remark(note);
   return fmt::format(
       "<header>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n{}</header>\n"
-      "<nav id=\"contents\" aria-label=\"Contents\"><details open><summary>Contents</summary>\n{}</details></nav>\n"
+      "<nav id=\"contents\" aria-label=\"Contents\"><details><summary>Contents</summary>\n{}</details></nav>\n"
       "<main>\n{}</main>\n",
       page.papers.size() == 1 ? html_text(page.papers.front().plan.title) : "Papers on real-time fur, rerun",
-      html_text(fmt::format("What the papers claim, and what pelage measured on {} (preset {}).{}",
-                            devices_of(reports), page.preset,
-                            page.smoke ? " The preset smoke tests no claim." : "")),
+      html_text(fmt::format(
+          "What the papers claim, and what the program pelage measured on {} (preset {}).{}",
+          devices_of(reports), page.preset, page.smoke ? " The preset smoke tests no claim." : "")),
       summary.html(), contents_of(body.entries()), body.html());
 }
 

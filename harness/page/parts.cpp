@@ -114,7 +114,7 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
     for (const std::string& note : one.notes)
       details += fmt::format("{}{}", details.empty() ? "" : details.ends_with('.') ? " " : ". ", note);
     body.add(fmt::format(
-        "<tr id=\"claim-{7}\"><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}{8}</td><td data-label=\"measured\" data-sort=\"{3}\">{4}</td><td data-label=\"limit\">{5}</td><td data-label=\"source\" class=\"prose\">{6}</td></tr>\n",
+        "<tr id=\"claim-{7}\"><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1} <code>{7}</code>{2}{8}</td><td data-label=\"measured\" data-sort=\"{3}\">{4}</td><td data-label=\"limit\">{5}</td><td data-label=\"source\" class=\"prose\">{6}</td></tr>\n",
         to_text(one.verdict), html_text(one.claim.statement),
         details.empty() ? "" : fmt::format("<br><span class=\"soft\">{}</span>", html_text(details)),
         one.value ? fmt::format("{:.6g}", *one.value) : "",

@@ -90,7 +90,7 @@ std::string words_of(const std::string& metric, const std::vector<Cell>& cells) 
   const std::string against = control.empty() ? "the control scene" : control;
   if (metric == "baseline_psnr") return fmt::format("PSNR against {}, dB", against);
   if (metric == "baseline_ssim") return fmt::format("SSIM against {}", against);
-  if (metric == "raycast_coarse_psnr") return "PSNR against ray-cast strands, dB";
+  if (metric == "raycast_coarse_psnr") return "PSNR of means of 8 x 8 pixels against ray-cast strands, dB";
   if (metric == "raycast_ssim") return "SSIM against ray-cast strands";
   if (metric == "error_rms") return "error (RMS), fur lengths";
   return {};

@@ -92,7 +92,7 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
       cells, columns, stem + "-ratio", sources,
       {{"reading", "effects"}, {"model"}, {"layers", "size"}, {"opengl_ratio"}},
       {fmt::format(
-          "Time of the paper's pipeline ({}) divided by ours, for the same picture in the same round: median over the rounds, and its 95% interval.",
+          "Time of OpenGL, the papers' kind of program ({}, on the same device or processor), divided by ours, for the same picture in the same round: median over the rounds, and its 95% interval.",
           renderer == cells.end() ? "OpenGL" : renderer->renderer)});
   Table& table = section.table;
   add_remarks(table, mark_remarks(cells));
@@ -109,9 +109,9 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
   for (PlotSpec& plot : section.plots)
     if (plot.y == "opengl_ratio") {
       plot.guide = 1;
-      plot.y_label = "times as fast as the paper's pipeline";
+      plot.y_label = "times as fast as OpenGL";
       plot.stem = table.stem;
-      plot.title = "Speed relative to the paper's pipeline: " + table.subtitle;
+      plot.title = "Speed relative to OpenGL: " + table.subtitle;
       if (renderer != cells.end())
         plot.note += " against " + renderer->renderer.substr(0, renderer->renderer.find(" ("));
     }

@@ -52,8 +52,8 @@ const page = (() => {
     return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
   }
 
-  // On a phone, the contents would fill the first screen.
-  if (matchMedia("(max-width: 40rem)").matches) document.querySelector("#contents details").open = false;
+  // On wide screens, the contents stand beside the text. On others, they would fill the first screen.
+  document.querySelector("#contents details").open = matchMedia("(min-width: 100rem)").matches;
 
   document.addEventListener("click", event => {
     const button = event.target.closest("button[data-file]");
