@@ -103,8 +103,7 @@ std::string intervals_text(const std::vector<claims::Judged>& judged) {
 void add_claims(Body& body, const std::vector<claims::Judged>& judged, const char* title) {
   if (judged.empty()) return;
   body.heading(title, 2);
-  body.remark("The claims are in our words. Each verdict is computed from the rows of this page." +
-              intervals_text(judged));
+  body.remark("The claims are in our words; the rows of this page decide." + intervals_text(judged));
   body.add(
       "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>measured</th><th>limit</th><th>source</th></tr></thead>\n<tbody>\n");
   for (const claims::Judged& one : judged) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -258,9 +259,16 @@ Soup read_gltf(const std::string& bytes, const std::filesystem::path& file, bool
   json.erase("images");
   if (nlohmann::json& buffers = json["buffers"]; buffers.is_array())
     for (std::size_t i = 0; i < buffers.size(); ++i) {
-      if (!buffers[i].is_object() || !buffers[i]["byteLength"].is_number_unsigned()) continue;
+      if (!buffers[i].is_object() || !buffers[i]["byteLength"].is_number_unsigned())
+        refuse(fmt::format("buffer {} has no byteLength", i));
       const bool outside = buffers[i]["uri"].is_string();
-      if (outside && buffers[i]["uri"].get<std::string>().starts_with("data:")) continue;
+      if (const std::string uri = outside ? buffers[i]["uri"].get<std::string>() : "";
+          uri.starts_with("data:")) {
+        const std::size_t content = uri.find(";base64,");  // tinygltf knows some of the types before it
+        if (content == uri.npos) refuse(fmt::format("buffer {}: the data URI is not in base64", i));
+        buffers[i]["uri"] = "data:application/octet-stream" + uri.substr(content);
+        continue;
+      }
       if (!outside && i > 0) refuse(fmt::format("buffer {} has no content", i));
       contents.push_back(outside ? read_bytes(files.front(), largest_mesh_file) : std::string(parts.binary));
       if (outside) files.erase(files.begin());
@@ -274,9 +282,9 @@ Soup read_gltf(const std::string& bytes, const std::filesystem::path& file, bool
       {[](const std::string&, void*) { return true; }, [](const std::string& uri, void*) { return uri; },
        [](std::vector<unsigned char>* to, std::string*, const std::string& uri, void* from) {
          auto& all = *static_cast<std::vector<std::string>*>(from);
-         const std::string& content = all.at(std::size_t(std::stoi(uri)));
-         to->assign(content.begin(), content.end());
-         return true;
+         const std::size_t place = std::strtoul(uri.c_str(), nullptr, 10);
+         if (place < all.size()) to->assign(all[place].begin(), all[place].end());
+         return place < all.size();
        },
        nullptr, &contents});
   tinygltf::Model model;
