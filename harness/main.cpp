@@ -80,9 +80,9 @@ int main(int argc, char** argv) {
   app.fallthrough();
   Chosen chosen;
   for (AddCommand* add :
-       {add_devices, add_scene,   add_render, add_animate, add_diagram,   add_mesh,  add_topology,
-        add_water,   add_check,   add_tune,   add_profile, add_list,      add_run,   add_merge,
-        add_export,  add_compare, add_report, add_claims,  add_reproduce, add_manual})
+       {add_devices,  add_scene,  add_render,  add_animate, add_diagram, add_groom,     add_mesh,
+        add_topology, add_water,  add_check,   add_tune,    add_profile, add_list,      add_run,
+        add_merge,    add_export, add_compare, add_report,  add_claims,  add_reproduce, add_manual})
     add(app, chosen);
   app.require_subcommand(0, 1);
 

@@ -71,8 +71,8 @@ bool draws_table(const std::string& kind);
 
 // The functions that add the commands. `app` must exist as long as the chosen function of add_manual().
 using AddCommand = void(CLI::App& app, Chosen& chosen);
-AddCommand add_devices, add_scene, add_render, add_animate, add_diagram, add_mesh, add_topology, add_water,
-    add_check, add_tune, add_profile, add_list, add_run, add_merge, add_export, add_compare, add_report,
-    add_claims, add_reproduce, add_manual;
+AddCommand add_devices, add_scene, add_render, add_animate, add_diagram, add_groom, add_mesh, add_topology,
+    add_water, add_check, add_tune, add_profile, add_list, add_run, add_merge, add_export, add_compare,
+    add_report, add_claims, add_reproduce, add_manual;
 
 }  // namespace pelage
