@@ -92,7 +92,8 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
   std::map<std::tuple<std::map<std::string, std::string>, std::string>, std::size_t> known;
   for (const Row* row : rows) {
     if (!covers(claim, *row)) continue;
-    result.contended += !load_warning(*row).empty() || !interruption_warning(*row).empty();
+    const bool contended = !load_warning(*row).empty() || !interruption_warning(*row).empty();
+    result.contended += contended;
     for (Cell& cell : empty_cells(claim, *row)) {
       const auto [place, added] = known.try_emplace({cell.axes, cell.name}, result.cells.size());
       if (added) result.cells.push_back(std::move(cell));
@@ -100,6 +101,7 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
       Cell& own = result.cells[place->second];
       if (!added && own.processes.empty()) continue;
       own.processes.push_back(row);
+      own.contended += contended;
       if (const std::string why = missing(claim, *row, own.phase); !why.empty()) {
         result.left_out.push_back(fmt::format("{} ({})", own.name, why));
         own.processes.clear();

@@ -22,6 +22,7 @@ struct Cell {
   /// The rows of the case, one per process. They belong to the caller of cells_of() and must outlive the
   /// cell.
   std::vector<const Row*> processes;
+  std::size_t contended = 0;  ///< rows with a load_warning() or an interruption_warning() (harness/measure)
 };
 
 struct Cells {
@@ -29,7 +30,7 @@ struct Cells {
   /// Names of the selected cases that are not used, each with the reason in round brackets: a row of the case
   /// lacks the values from which the claim's quantity is computed.
   std::vector<std::string> left_out;
-  /// Number of rows with a load_warning() or an interruption_warning() (harness/measure).
+  /// Number of rows with such a warning.
   std::size_t contended = 0;
 };
 

@@ -59,7 +59,7 @@ struct Claim {
   std::string paper;      ///< key of the paper in the references.bib of a report; empty for our own findings
   std::string section;    ///< section, figure or table of the paper; may be empty
   bool absolute = false;  ///< true if the claim depends on the speed of the hardware
-  std::string why;  ///< why the claim fails, where it does; may be empty
+  std::string why;        ///< why the claim fails, where it does; may be empty
   /// The reason why no rows can decide the claim; if there is one, all members below keep their defaults.
   std::string untestable;
   /// Only rows from devices with this text in their name decide the claim. Empty if all do.

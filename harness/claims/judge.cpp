@@ -150,6 +150,28 @@ bool finite(const std::vector<Estimate>& estimates) {
   });
 }
 
+/// Whether at least half of the times of a cell of the part are those of a loaded machine.
+bool contended(const Claim& claim, const Part& part, const std::vector<Cell>& cells) {
+  return claim.quantity != Quantity::metric && std::ranges::any_of(part.cells, [&](std::size_t i) {
+           return 2 * cells[i].contended >= cells[i].processes.size();
+         });
+}
+
+/// Withdraws a verdict that rests on rows of a loaded machine.
+void doubt_contended(Judged& judged, const std::vector<Part>& parts, const std::vector<Cell>& cells,
+                     const std::vector<Estimate>& estimates, std::size_t decisive) {
+  const Claim& claim = judged.claim;
+  if (claim.combine != Combine::every || !contended(claim, parts[decisive], cells)) return;
+  std::vector<Estimate> quiet;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!contended(claim, parts[i], cells)) quiet.push_back(estimates[i]);
+  if (judged.verdict == Verdict::fails && !quiet.empty() &&
+      decide(quiet, claim.region).verdict == Verdict::fails)
+    return;
+  judged.verdict = Verdict::undecided;
+  judged.reason = "the rows that decide were measured while other processes used the CPU; measure them again";
+}
+
 void explain_undecided(Judged& judged, const Decision& without_spread, std::size_t wanted) {
   if (without_spread.verdict == Verdict::undecided)
     judged.reason = "the interval contains a limit of the relation";
@@ -216,6 +238,8 @@ void judge_rows(const ClaimFile& file, Judged& judged, const std::vector<const R
         : claim.absolute
             ? "the claim depends on the device's speed, and this device is slower than the paper's"
             : "";
+  if (judged.verdict != Verdict::undecided)
+    doubt_contended(judged, parts, cells.cells, estimates, decision.decisive);
   if (!claim.hardware.empty() && judged.device.find(claim.hardware) == std::string::npos) {
     judged.verdict = Verdict::untestable;
     judged.reason = fmt::format("the claim is about the paper's hardware ({})", claim.hardware);

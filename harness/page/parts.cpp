@@ -1,5 +1,7 @@
 #include "harness/page/parts.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -87,6 +89,14 @@ std::string same_sentence(const std::vector<claims::Judged>& judged, const claim
              : "<br><span class=\"soft\">The same sentence, tested otherwise: " + links + ".</span>";
 }
 
+/// Returns the names of the experiments whose rows decide.
+std::string rows_of(const claims::Judged& one) {
+  return one.claim.experiments.empty()
+             ? ""
+             : fmt::format("<br><span class=\"soft\">rows: {}</span>",
+                           html_text(fmt::format("{}", fmt::join(one.claim.experiments, ", "))));
+}
+
 /// Says how the intervals of the claims differ from those of the tables, if they do.
 std::string intervals_text(const std::vector<claims::Judged>& judged) {
   const int enough = claims::ClaimFile{}.separate_processes;
@@ -121,8 +131,9 @@ void add_claims(Body& body, const std::vector<claims::Judged>& judged, const cha
                                 html_text(claims::effect_text(one) + claims::effects_text(one)),
                                 html_text(claims::description_of(one.claim)))
                   : "-",
-        one.value ? html_text(one.claim.relation) : "-", html_text(claims::source_of(one.claim)),
-        html_text(one.claim.id), same_sentence(judged, one)));
+        one.value ? html_text(one.claim.relation) : "-",
+        html_text(claims::source_of(one.claim)) + rows_of(one), html_text(one.claim.id),
+        same_sentence(judged, one)));
   }
   body.add("</tbody></table></div>\n");
   body.save_buttons({{"claims.csv", "CSV"}});

@@ -123,6 +123,21 @@ TEST(Judge, JudgesEveryDeviceAlone) {
   pelage::test::expect_has(markdown_of(both), {"| c, shape, another | s |", "| c, shape, device | s |"});
 }
 
+// Times of a loaded machine decide nothing, unless other times give the same verdict.
+TEST(Judge, RowsOfALoadedMachineDoNotDecide) {
+  std::vector<FoundRow> rows = layers_and_models();  // the ratios are 3 and 2
+  const auto verdict = [&](const std::string& limit) { return judged(rows, ratio, limit).verdict; };
+  EXPECT_EQ(verdict("{ at_most = 2.5 }"), Verdict::fails);
+  EXPECT_EQ(verdict("{ at_most = 4 }"), Verdict::holds);
+  rows[1].row.provenance["other_cpu_share"] = 0.5;  // of the model a, whose ratio is 3
+  EXPECT_EQ(verdict("{ at_most = 2.5 }"), Verdict::undecided);
+  EXPECT_EQ(verdict("{ at_most = 4 }"), Verdict::undecided);
+  EXPECT_EQ(verdict("{ at_most = 1.5 }"), Verdict::fails) << "the model b alone decides";
+  EXPECT_EQ(verdict("{ at_least = 1.5 }"), Verdict::holds) << "the model b is nearer to the limit";
+  EXPECT_EQ(judged(rows, ratio, "{ at_most = 4 }").reason,
+            "the rows that decide were measured while other processes used the CPU; measure them again");
+}
+
 // The times of one process vary by 1% and do not show the spread between processes, which judge() assumes.
 TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   const auto with = [](const std::string& limit, const std::vector<FoundRow>& rows) {
