@@ -25,6 +25,8 @@ namespace pelage {
 /// Parses a text after check_toml_text(). `name` is the file or the option that contains the text. Throws
 /// InputError if the text is not TOML.
 inline toml::table parse_toml(const std::string& text, const std::string& name) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError(fmt::format("{}: UTF-16 text, which is not read; save the file as UTF-8", name));
   check_toml_text(text, name);
   try {
     return toml::parse(text, name);

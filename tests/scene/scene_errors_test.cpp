@@ -125,6 +125,7 @@ const std::vector<test::Bad> bad_scenes = {
     {"fur.length = 0.1\nfur.length = 0.2", "s.toml:2: not TOML"},
     {"[fur\nlength = 1", "s.toml:1: not TOML"},
     {"model = \"\xff\xfe\"", "s.toml:1: not TOML"},
+    {"\xff\xfem", "s.toml: UTF-16 text, which is not read; save the file as UTF-8"},
     {"\n\xc4\x96.", "s.toml:2: not TOML: a character outside quotes is not ASCII"},
     {"fur.l\xc3\xa4nge = 1", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
     {"model = \"\"\"a\\  \n \n \xc3\xa9\"\"\"",
