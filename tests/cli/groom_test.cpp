@@ -47,13 +47,13 @@ TEST_F(Groom, HairFilesHaveTheStrands) {
     std::memcpy(&value, &bytes[at], sizeof value);
     return value;
   };
-  ASSERT_EQ(bytes.size(), 128u + 1500 * (12 + 4 + 12));
+  ASSERT_EQ(bytes.size(), 128u + 1500u * (12 + 4 + 12));
   EXPECT_EQ(bytes.substr(0, 4), "HAIR");
   EXPECT_EQ(whole(4), 300u);
   EXPECT_EQ(whole(8), 1500u);
   EXPECT_EQ(whole(12), 2u + 4 + 16) << "points, widths and colours";
   EXPECT_EQ(whole(16), 4u) << "segments of each strand";
-  const std::size_t points = 128, widths = points + 1500 * 12, colours = widths + 1500 * 4;
+  const std::size_t count = 1500, points = 128, widths = points + count * 12, colours = widths + count * 4;
   for (std::size_t i = 0; i < 1500; ++i) {
     const std::size_t root = i / 5 * 5;
     const float t = float(i % 5) / 4;

@@ -187,11 +187,12 @@ std::string three_ds_of(const Box& box, std::uint16_t last) {
     put(faces, std::uint16_t(7));
   }
   std::memcpy(&faces[faces.size() - 4], &last, sizeof last);
-  const std::string mesh =
-      chunk_of(0x4100, chunk_of(0x4110, points) + chunk_of(0x4160, std::string(48, '\0')) + chunk_of(0x4140, uv) +
-                        chunk_of(0x4120, faces + chunk_of(0x4150, std::string(48, '\0'))));
-  return chunk_of(0x4d4d, chunk_of(2, std::string(4, '\3')) +
-                           chunk_of(0x3d3d, chunk_of(0xafff, "") + chunk_of(0x4000, std::string("box\0", 4) + mesh)));
+  const std::string mesh = chunk_of(
+      0x4100, chunk_of(0x4110, points) + chunk_of(0x4160, std::string(48, '\0')) + chunk_of(0x4140, uv) +
+                  chunk_of(0x4120, faces + chunk_of(0x4150, std::string(48, '\0'))));
+  return chunk_of(
+      0x4d4d, chunk_of(2, std::string(4, '\3')) +
+                  chunk_of(0x3d3d, chunk_of(0xafff, "") + chunk_of(0x4000, std::string("box\0", 4) + mesh)));
 }
 
 struct Strangers : test::InFolder {
