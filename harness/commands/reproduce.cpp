@@ -208,6 +208,13 @@ void add_unmeasured(const std::vector<PaperPlan>& plans, std::vector<FoundRow>& 
     }
 }
 
+/// Whether some row is neither ok nor diverged: where a step is too long, a divergence is what is measured.
+bool has_failures(const fs::path& folder) {
+  return std::ranges::any_of(read_all_results({folder.string()}).rows, [](const FoundRow& found) {
+    return found.row.status != Status::ok && found.row.status != Status::diverged;
+  });
+}
+
 double seconds_since(std::chrono::steady_clock::time_point from) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
@@ -291,10 +298,10 @@ int reproduce(const ReproduceOptions& options) {
     if (code == no_device || code == 130 || code == 143) return code;  // all other steps would end likewise
     if (!begun)
       add_length(folder / "lengths.csv", options.preset, steps[i].experiment, seconds_since(from), speed);
-    if (code != 0)
-      notes.push_back(code == 1
-                          ? fmt::format("{}: some cases have no time", steps[i].experiment)
-                          : fmt::format("{}: pelage run ended with code {}", steps[i].experiment, code));
+    if (code == 1 && (share_left(steps[i], folder) > 0 || has_failures(folder / steps[i].experiment)))
+      notes.push_back(fmt::format("{}: some cases have no time", steps[i].experiment));
+    if (code > 1)
+      notes.push_back(fmt::format("{}: pelage run ended with code {}", steps[i].experiment, code));
   }
   PapersPage page;
   for (const PaperPlan& plan : plans) {
