@@ -16,6 +16,8 @@
 namespace pelage {
 namespace {
 
+using test::put;
+
 /// A box of 24 corners: four for each side. Each side is two triangles.
 struct Box {
   std::vector<glm::dvec3> point;
