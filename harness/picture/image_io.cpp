@@ -36,12 +36,15 @@ std::string extension(const fs::path& path) {
 constexpr Limits limits{
     .memory = std::uint64_t(6) << 30, .time = std::chrono::seconds(120), .what = "picture"};
 
+constexpr std::size_t header_bytes = 2 * sizeof(int) + sizeof(float);
+
 // Converts a picture to bytes and back, to pass it from the process that reads the file.
 std::string encoded(const Picture& picture) {
   std::string bytes;
-  bytes.reserve(2 * sizeof(int) + picture.pixel.size() * sizeof(glm::vec4));
+  bytes.reserve(header_bytes + picture.pixel.size() * sizeof(glm::vec4));
   for (const int side : {picture.width, picture.height})
     bytes.append(reinterpret_cast<const char*>(&side), sizeof side);
+  bytes.append(reinterpret_cast<const char*>(&picture.gamma), sizeof picture.gamma);
   bytes.append(reinterpret_cast<const char*>(picture.pixel.data()), picture.pixel.size() * sizeof(glm::vec4));
   return bytes;
 }
@@ -50,8 +53,9 @@ Picture decoded(const std::string& bytes) {
   Picture picture;
   std::memcpy(&picture.width, bytes.data(), sizeof(int));
   std::memcpy(&picture.height, bytes.data() + sizeof(int), sizeof(int));
-  picture.pixel.resize((bytes.size() - 2 * sizeof(int)) / sizeof(glm::vec4));
-  std::memcpy(picture.pixel.data(), bytes.data() + 2 * sizeof(int), picture.pixel.size() * sizeof(glm::vec4));
+  std::memcpy(&picture.gamma, bytes.data() + 2 * sizeof(int), sizeof(float));
+  picture.pixel.resize((bytes.size() - header_bytes) / sizeof(glm::vec4));
+  std::memcpy(picture.pixel.data(), bytes.data() + header_bytes, picture.pixel.size() * sizeof(glm::vec4));
   return picture;
 }
 

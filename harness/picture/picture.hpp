@@ -18,6 +18,9 @@ struct Picture {
   int width = 0;
   int height = 0;
   std::vector<glm::vec4> pixel;
+  /// What a PNG file that was read says of its colours (chunk gAMA): the intensity is the value to the power
+  /// of `gamma`. 0: nothing, or what screens show.
+  float gamma = 0;
   const glm::vec4& at(int x, int y) const {
     return pixel[std::size_t(y) * std::size_t(width) + std::size_t(x)];
   }

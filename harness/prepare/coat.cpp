@@ -90,6 +90,13 @@ CoatTexture painted(const Mesh& mesh, const CoatScene& coat) {
   return out;
 }
 
+/// Returns a colour value of the picture as screens show it (Picture::gamma). The intensities of a screen are
+/// the values to the power of 2.2.
+double shown(const Picture& picture, float value) {
+  if (picture.gamma == 0) return double(value);
+  return std::pow(double(value), double(picture.gamma) / 2.2);
+}
+
 /// Reads a coat texture. The texture is a square. Its side is the longer side of the picture, but at most
 /// 4096 texels; a picture that is not square is stretched. The picture's top row is at v = 1.
 CoatTexture from_picture(const std::filesystem::path& path) {
@@ -99,7 +106,8 @@ CoatTexture from_picture(const std::filesystem::path& path) {
   for (int j = 0; j < out.size; ++j)
     for (int i = 0; i < out.size; ++i) {
       const glm::vec4 c = picture.at({(i + 0.5) / out.size, (j + 0.5) / out.size});
-      out.texel.push_back({byte(double(c.x)), byte(double(c.y)), byte(double(c.z)), 255});
+      const auto value = [&](float stored) { return byte(shown(picture.picture(), stored)); };
+      out.texel.push_back({value(c.x), value(c.y), value(c.z), 255});
     }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "harness/prepare/coat.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -113,6 +114,25 @@ TEST(Coat, TakesAPictureWithItsTopAtVOne) {
     write_picture(coat.image, picture);
     EXPECT_THROW(make_coat(*test::two_charts(), coat), InputError) << bad;
   }
+}
+
+// gama1.png has the pixels of rgb.png, but says that they are proportional to the intensity.
+TEST(Coat, AppliesTheGammaOfPng) {
+  CoatScene coat;
+  const fs::path folder = fs::path(PELAGE_SOURCE_DIR) / "tests/picture/strangers";
+  coat.image = folder / "rgb.png";
+  const CoatTexture stored = make_coat(*test::two_charts(), coat);
+  coat.image = folder / "gama1.png";
+  const CoatTexture linear = make_coat(*test::two_charts(), coat);
+  ASSERT_EQ(linear.texel.size(), stored.texel.size());
+  int changed = 0;
+  for (std::size_t i = 0; i < stored.texel.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double wanted = 255 * std::pow(stored.texel[i][c] / 255.0, 1 / 2.2);
+      EXPECT_NEAR(linear.texel[i][c], wanted, 0.5001);
+      changed += linear.texel[i][c] > stored.texel[i][c] + 20;
+    }
+  EXPECT_GT(changed, 1000);
 }
 
 constexpr int size = 32;

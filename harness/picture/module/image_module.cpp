@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -141,6 +142,14 @@ std::array<int, 3> colour_channels(const OIIO::ImageSpec& spec, const std::strin
   return chosen;
 }
 
+/// Returns Picture::gamma. Screens show values whose gamma is about 2.2.
+float gamma_of(const OIIO::ImageSpec& spec, const std::string& kind) {
+  if (kind != "png") return 0;
+  const bool linear = OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
+  const float gamma = linear ? 1 : spec.get_float_attribute("oiio:Gamma", 0);
+  return gamma > 0 && std::abs(gamma - 2.2f) > 0.1f ? gamma : 0;
+}
+
 Picture read(const fs::path& file, const std::string& kind) {
   const auto input = OIIO::ImageInput::create(kind);
   // Without this hint, OpenImageIO multiplies the colours of PNG and TIFF files by alpha.
@@ -171,7 +180,8 @@ Picture read(const fs::path& file, const std::string& kind) {
     throw InputError(fmt::format("{}: damaged picture: {}", file.string(), one_line(complaint)));
 
   place(spec, kind, channels, values);
-  Picture picture{spec.width, spec.height, std::vector<glm::vec4>(values.size() / std::size_t(channels))};
+  Picture picture{spec.width, spec.height, std::vector<glm::vec4>(values.size() / std::size_t(channels)),
+                  gamma_of(spec, kind)};
   const std::array<int, 3> colour = colour_channels(spec, kind, file);
   for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
     const float* value = &values[i * static_cast<std::size_t>(channels)];
