@@ -89,11 +89,11 @@ std::vector<double> pairs_of(const Timings& a, const Timings& b) {
   return result;
 }
 
-struct Limits {
+struct DifferenceLimits {
   double low, high;  // of ln(b / a)
 };
 
-Limits limits_of(double threshold) {
+DifferenceLimits limits_of(double threshold) {
   return {std::log1p(-std::min(threshold, 1.0)), std::log1p(threshold)};
 }
 
@@ -104,7 +104,7 @@ double errors_of(double degrees, std::size_t count, double alpha, double power) 
 }
 
 /// Returns the side of the limits on which the estimate is, and its distance from the nearest limit.
-std::pair<Side, double> place_of(const Difference& difference, const Limits& limits) {
+std::pair<Side, double> place_of(const Difference& difference, const DifferenceLimits& limits) {
   const double above = difference.log_ratio - limits.high, below = limits.low - difference.log_ratio;
   if (above > 0) return {Side::above, above};
   if (below > 0) return {Side::below, below};
@@ -138,7 +138,7 @@ Interval ratio_interval(const Difference& difference, double confidence) {
 }
 
 std::vector<Decision> decide(std::span<const Difference> differences, double threshold, double alpha) {
-  const Limits limits = limits_of(threshold);
+  const DifferenceLimits limits = limits_of(threshold);
   std::vector<Decision> decisions;
   decisions.reserve(differences.size());
   for (const Difference& d : differences) {

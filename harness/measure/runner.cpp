@@ -102,6 +102,8 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     const CpuWatch watch;
     const Interruptions before = interruptions();
     const Sampling sampling = take_samples([&subject] { return subject->frame(); }, limits);
+    if (plan.gpu)
+      if (auto state = plan.gpu(); !state.empty()) row.provenance["gpu"] = std::move(state);
     if (const std::optional<double> share = watch.other_share()) row.provenance["other_cpu_share"] = *share;
     add_interruptions(row, before, interruptions());
     row.provenance["sampling_s"] = seconds_since(sampling_from);

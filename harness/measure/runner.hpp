@@ -20,6 +20,8 @@ struct RunPlan {
   /// Returns the entry `settings` of the provenance of a case: the scene keys that differ from their
   /// defaults. May be empty, may throw InputError.
   std::function<nlohmann::ordered_json(const Case&)> settings;
+  /// Returns the entry `gpu` of the provenance, right after a case was timed (gpu_state()). May be empty.
+  std::function<nlohmann::ordered_json()> gpu;
   /// Time limit of the run in seconds, after which no case starts. The timed frames of a case take at most
   /// the remaining time of the run divided by the number of remaining cases, including this case.
   double budget_s = std::numeric_limits<double>::infinity();
