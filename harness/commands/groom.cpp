@@ -6,9 +6,9 @@
 
 #include "harness/commands/commands.hpp"
 #include "harness/commands/scene_options.hpp"
+#include "harness/mesh/read/polylines.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/keyframes.hpp"
-#include "harness/strands/groom/polylines.hpp"
 #include "harness/strands/reference/drawing.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 
@@ -20,34 +20,36 @@ struct GroomOptions {
   std::filesystem::path output;
 };
 
-/// Returns the strands at rest: points at equal steps of the curve's parameter (docs/strands.md, section
-/// Curve).
-strands::Polylines polylines_of(const strands::StrandInput& input) {
-  strands::Polylines lines;
-  lines.segments = input.scene.strands.segments;
+/// Returns the strands at rest. Those of a fur layer have points at equal steps of the curve's parameter
+/// (docs/strands.md, section Curve); those of a file have its points.
+Polylines polylines_of(const strands::StrandInput& input) {
+  if (input.mesh->strands) return input.mesh->strands->lines;
+  Polylines lines;
+  const int segments = input.scene.strands.segments;
   for (const strands::KeyedStrand& strand : input.fur.strands) {
     const strands::DrawnStrand drawn =
         strands::reference::between(input.fur.keys, strand, input.dynamics.first_segment);
-    for (int k = 0; k <= lines.segments; ++k) {
-      const double t = double(k) / lines.segments, s = 1 - t;
+    lines.count.push_back(std::uint32_t(segments) + 1);
+    for (int k = 0; k <= segments; ++k) {
+      const double t = double(k) / segments, s = 1 - t;
       lines.point.emplace_back(s * s * glm::dvec3(drawn.point[0]) + 2 * s * t * glm::dvec3(drawn.point[1]) +
                                t * t * glm::dvec3(drawn.point[2]));
       lines.width.push_back(float(2 * strands::reference::half_width(input.look, drawn, t)));
+      lines.colour.push_back(drawn.colour);
     }
-    lines.colour.push_back(drawn.colour);
   }
   return lines;
 }
 
 int groom(const GroomOptions& options) {
-  strands::check_polylines_path(options.output);
+  check_polylines_path(options.output);
   const Scene scene = scene_at(resolve_scene(options.scene, "strands"), 0);
   const auto input = strands::prepare_strands(
       scene, load_scene_mesh(scene, [](const std::string& text) { fmt::print(stderr, "{}\n", text); }));
-  strands::write_polylines(options.output, polylines_of(*input),
-                           fmt::format("pelage groom, model {}; unit: radius of the model", scene.model));
-  fmt::print("{}: {} strands of {} points\n", options.output.string(), input->fur.strands.size(),
-             scene.strands.segments + 1);
+  const Polylines lines = polylines_of(*input);
+  write_polylines(options.output, lines,
+                  fmt::format("pelage groom, model {}; unit: radius of the model", scene.model));
+  fmt::print("{}: {}\n", options.output.string(), describe(lines));
   return 0;
 }
 

@@ -15,6 +15,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/balance.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/measure/gpu_state.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/interruptions.hpp"
 #include "harness/measure/provenance.hpp"
@@ -23,6 +24,7 @@
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/record/results_folder.hpp"
 #include "harness/report/case_table.hpp"
+#include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/subjects/case_identity.hpp"
@@ -90,7 +92,8 @@ Sweep plan_sweep(const RunOptions& options, const fs::path& file, std::uint64_t 
   // All scenes are read before the first case runs, so that an error in a late case is reported at once.
   std::set<std::string> models;
   for (const Case& which : sweep.cases) models.insert(scene_of(sweep.experiment, which).model);
-  for (const std::string& model : models) require_model(model);
+  for (const std::string& model : models)
+    if (model != no_model) require_model(model);
   return sweep;
 }
 
@@ -228,6 +231,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     for (const auto& [key, value] : changed_keys(scene_of(sweep.experiment, which))) settings[key] = value;
     return settings;
   };
+  if (!device.info().cpu) plan.gpu = [info = device.info()] { return gpu_state(info); };
   plan.identity = [&](const Case& which) { return case_identity(*context, which, plan.limits); };
 
   const fs::path file =

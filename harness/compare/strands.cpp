@@ -57,6 +57,15 @@ double worst_point(const DrawnStrand& a, const DrawnStrand& b) {
   return worst < 1e9 ? worst : 1e9;
 }
 
+/// The exact control points of curve i.
+DrawnStrand exact_curve(const StrandInput& input, const std::vector<KeyStrand>& keys, std::size_t i,
+                        double* magnified = nullptr) {
+  const strands::KeyedStrand& strand = input.fur.strands[i];
+  const float first = input.dynamics.first_segment;
+  return input.shapes ? naive::shaped(keys, strand, (*input.shapes)[i], first, magnified)
+                      : naive::between(keys, strand, first, magnified);
+}
+
 /// The skin at the root of strand i at the fraction f of a frame between two frames of the mesh.
 naive::SkinPoint skin_point(const strands::SkinFrame& from, const strands::SkinFrame& to, std::size_t i,
                             double f) {
@@ -103,9 +112,8 @@ StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& fram
   StrandCheck result;
   double worst = 0;
   for (const std::size_t i : sample(frame.curves.size(), curves_compared, seed)) {
-    const strands::KeyedStrand& strand = input.fur.strands[i];
     double magnified = 1;
-    const DrawnStrand exact = naive::between(frame.keys, strand, input.dynamics.first_segment, &magnified);
+    const DrawnStrand exact = exact_curve(input, frame.keys, i, &magnified);
     worst = std::max(worst, worst_point(frame.curves[i], exact) / std::max(1.0, magnified / 8));
   }
   const double limit =
@@ -129,7 +137,7 @@ StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& fram
 std::vector<DrawnStrand> reference_curves(const StrandInput& input, const std::vector<KeyStrand>& keys) {
   std::vector<DrawnStrand> curves(input.fur.strands.size());
   for_each_index(curves.size(), 256, [&](std::size_t i) {
-    curves[i] = naive::between(keys, input.fur.strands[i], input.dynamics.first_segment);
+    curves[i] = exact_curve(input, keys, i);
     curves[i].rank = strands::layer_look(input.look, curves[i].layer).rank;
   });
   return curves;

@@ -128,4 +128,11 @@ inline constexpr double chain_frequency = 0.02;
 /// these angles by a factor f above 8 (reference::between()), the distance is divided by f/8.
 inline constexpr double strand_point = 2e-6, styled_strand_point = 3e-5;
 
+/// Limit for the distance, in R, between a point of a groom and the same point after it was written, placed
+/// on the mesh and written again, each time in single precision.
+inline constexpr float groom_point = 5e-7f;
+/// Least PSNR between pictures of grown strands and of a file with the control points of these strands. The
+/// chains of both have different lengths, so strands at nearly equal depths may change places in the order.
+inline constexpr double same_groom_psnr = 40.0;
+
 }  // namespace pelage::tolerance

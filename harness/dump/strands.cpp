@@ -42,6 +42,15 @@ void write_strand_columns(Hdf5File& file, const StrandInput& input, const std::v
          "angle by which curvature rotates w about n x u");
 }
 
+void write_shapes(Hdf5File& file, const std::vector<StrandShape>& shapes) {
+  file.write("strand/part", dump::column(shapes, [](const auto& s) { return glm::vec2(s.from, s.to); }), "1",
+             "start and end of each curve on its strand, from 0 (root) to 1 (tip)");
+  file.write("strand/width_end", dump::column(shapes, &StrandShape::width_end), "1",
+             "width of each curve at its end divided by strand/width");
+  file.write("strand/offset", dump::column(shapes, &StrandShape::offset), "R",
+             "control points of each curve at rest, from the points of the straight strand");
+}
+
 void write_curves(Hdf5File& file, const StrandFrame& frame) {
   using dump::column;
   file.write("curve/point", column(frame.curves, &DrawnStrand::point), "R",
@@ -97,6 +106,7 @@ void write_skin(Hdf5File& file, const SkinSurface& skin, bool deforms) {
 
 void dump::write_strand_frame(Hdf5File& file, const StrandInput& input, const StrandFrame& frame) {
   write_strand_columns(file, input, frame.keys);
+  if (input.shapes) write_shapes(file, *input.shapes);
   write_curves(file, frame);
   write_look(file, input);
   if (frame.skin) write_skin(file, *frame.skin, !input.mesh->frames.empty());

@@ -69,16 +69,7 @@ struct Bounds {
   void add(glm::dvec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
 };
 
-/// How the preparation of the first file placed its points: the surface point is `turn` ((p - shift) / R),
-/// where R is `radius`.
-struct Placement {
-  glm::dmat3 turn;
-  glm::dvec3 shift;
-  double radius;
-  glm::dvec3 operator()(glm::dvec3 p) const { return turn * ((p - shift) / radius); }
-};
-
-Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotation) {
+Placement placement_from(const Mesh& mesh, const Points& first, glm::dvec3 rotation) {
   const glm::dmat3 turn = rotation_matrix(rotation);
   Bounds file, prepared;
   for (std::size_t i = 0; i < first.position.size(); ++i)
@@ -116,6 +107,23 @@ std::vector<std::vector<std::uint32_t>> coincident_of(const Mesh& mesh, const Po
 
 }  // namespace
 
+Placement placement_of(const Mesh& mesh, const fs::path& file, glm::dvec3 rotation, std::string_view key) {
+  const Points points = read_points(file);
+  const Placement place = placement_from(mesh, points, rotation);
+  Bounds placed, prepared;
+  for (std::size_t i = 0; i < points.position.size(); ++i)
+    if (points.used[i]) placed.add(glm::transpose(place.turn) * place(points.position[i]));
+  for (const glm::vec3& p : mesh.position) prepared.add(glm::transpose(place.turn) * glm::dvec3(p));
+  constexpr double most = 1e-3;  // R; decimation moves the sides by less
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(std::abs(placed.low[axis] - prepared.low[axis]) <= most &&
+          std::abs(placed.high[axis] - prepared.high[axis]) <= most))
+      throw InputError(fmt::format(
+          "{}: the preparation of {} moved the sides of its bounding box, so coordinates of the file cannot be placed; give coordinates in R, or a mesh whose preparation removes nothing (`pelage mesh` lists the changes)",
+          key, file.string()));
+  return place;
+}
+
 fs::path frame_file(const fs::path& first, int frame, std::string_view key) {
   const std::string stem = first.stem().string();
   const std::size_t last = stem.find_last_of("0123456789");
@@ -137,7 +145,7 @@ std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs:
     throw InputError(fmt::format("{}: {} frames of {} points; all frames together may have at most {} points",
                                  key, count, mesh.welded, most_points));
   const Points rest = read_points(first);
-  const Placement place = placement_of(mesh, rest, rotation);
+  const Placement place = placement_from(mesh, rest, rotation);
   const std::vector<std::vector<std::uint32_t>> coincident = coincident_of(mesh, rest, place, first, key);
   std::vector<std::vector<glm::vec3>> frames(static_cast<std::size_t>(count));
   for (int frame = 0; frame < count; ++frame) {

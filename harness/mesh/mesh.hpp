@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace pelage {
+
+struct PlacedStrands;
 
 /// A prepared triangle mesh with a UV map. The unit of length is R, the radius of the bounding sphere. The
 /// sphere is centred at the origin. A surface point on a UV seam has several vertices, called its copies, one
@@ -36,6 +39,8 @@ struct Mesh {
   /// Positions of the surface points in each frame of a mesh that moves and deforms (read_mesh_frames()), R.
   /// Empty: the mesh does not deform. If there are frames, `hash` also depends on them.
   std::vector<std::vector<glm::vec3>> frames;
+  /// Strands of a file on this mesh (with_strands()); null: none. `hash` then also depends on them.
+  std::shared_ptr<const PlacedStrands> strands;
 };
 
 struct MeshOptions {
@@ -65,6 +70,21 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
 /// Throws InputError if `name_or_file` is neither the name of a model or torus nor an existing file, or if
 /// the numbers in the name of a torus are out of range. Does not read the file.
 void require_model(const std::string& name_or_file);
+
+/// Where the preparation placed the points of a mesh file: the point p of the file is at
+/// `turn` ((p - shift) / radius), in R. `radius` is R in the unit of the file.
+struct Placement {
+  glm::dmat3 turn{1};
+  glm::dvec3 shift{0};
+  double radius = 1;
+  glm::dvec3 operator()(glm::dvec3 p) const { return turn * ((p - shift) / radius); }
+};
+
+/// Returns the placement of the mesh, which is the prepared mesh of `file`, rotated by `rotation` (degrees
+/// about x, then y, then z), from their bounding boxes. Throws InputError, which begins with `key`, if the
+/// preparation moved a side of the box.
+Placement placement_of(const Mesh& mesh, const std::filesystem::path& file, glm::dvec3 rotation,
+                       std::string_view key);
 
 // The frames of a mesh that moves and deforms: one mesh file per frame.
 

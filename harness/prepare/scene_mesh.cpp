@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/mesh/mesh.hpp"
+#include "harness/prepare/placed_strands.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
@@ -26,7 +30,10 @@ std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,
   options.keep_uv = scene.fur.uv == "file";
   options.even_uv = scene.fur.uv == "even";
   options.progress = progress;
-  const auto mesh = load_model(scene.model, options);
+  std::optional<Polylines> strands;  // read first: the preparation of a mesh may take minutes
+  if (scene.strands.groom == "file") strands = read_strands(scene);
+  const auto mesh = scene.model == no_model ? nullptr : load_model(scene.model, options);
+  if (strands) return with_strands(scene, std::move(*strands), mesh, progress);
   if (scene.mesh.frames == 1) return mesh;
   if (!is_model_file(scene.model))
     throw InputError(fmt::format("mesh.frames: the model {} is no mesh file; frames need one mesh file each",
@@ -45,7 +52,8 @@ std::shared_ptr<const Mesh> SceneMeshes::of(const Scene& scene,
                                             const std::function<void(const std::string&)>& progress) {
   const glm::vec3 turn = rotation_of(scene.mesh);
   std::shared_ptr<const Mesh>& mesh =
-      kept_[{scene.model, scene.fur.uv, scene.mesh.components, scene.mesh.frames, turn.x, turn.y, turn.z}];
+      kept_[{scene.model, scene.fur.uv, scene.mesh.components, scene.mesh.frames, turn.x, turn.y, turn.z,
+             scene.strands.groom == "file" ? scene.strands.file_unit + scene.strands.file.string() : ""}];
   if (!mesh) mesh = load_scene_mesh(scene, progress);
   return mesh;
 }

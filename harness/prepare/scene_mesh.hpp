@@ -26,7 +26,7 @@ class SceneMeshes {
   std::shared_ptr<const Mesh> of(const Scene& scene, const std::function<void(const std::string&)>& progress);
 
  private:
-  using Key = std::tuple<std::string, std::string, std::string, int, float, float, float>;
+  using Key = std::tuple<std::string, std::string, std::string, int, float, float, float, std::string>;
   std::map<Key, std::shared_ptr<const Mesh>> kept_;
 };
 

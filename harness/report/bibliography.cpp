@@ -101,10 +101,9 @@ std::string settings_of(const std::vector<const FoundRow*>& rows) {
 std::string provenance_of(const std::vector<FoundRow>& rows) {
   // These fields can differ between the rows of one run, and the text describes whole runs.
   static const std::set<std::string> of_a_row{
-      "utc",         "started_s",     "cpu_mhz",      "cpu_mhz_after",   "load",
-      "prepare_s",   "sampling_s",    "load_after",   "other_cpu_share", "check_s",
-      "kernel_hash", "converged",     "mesh_hash",    "scene_hash",      "check_seed",
-      "bad_input",   "mesh_warnings", "picture_hash", "settings"};
+      "utc",        "started_s",       "cpu_mhz", "cpu_mhz_after", "load",         "prepare_s", "sampling_s",
+      "load_after", "other_cpu_share", "check_s", "kernel_hash",   "converged",    "mesh_hash", "scene_hash",
+      "check_seed", "bad_input",       "gpu",     "mesh_warnings", "picture_hash", "settings"};
   std::map<std::pair<std::string, std::string>, std::vector<const FoundRow*>> runs;
   for (const FoundRow& found : rows)
     if (found.row.status != Status::skipped)

@@ -119,7 +119,8 @@ DynamicsScene dynamics_of_frame(const Scene& scene, int frame) {
 }
 
 bool may_have_keyframes(const Key& key) {
-  return key.name != "model" && key.name != "pipeline" && !key.name.starts_with("mesh.");
+  return key.name != "model" && key.name != "pipeline" && !key.name.starts_with("mesh.") &&
+         key.name != "strands.groom" && !key.name.starts_with("strands.file");
 }
 
 KeyValue key_value(const Key& key) {

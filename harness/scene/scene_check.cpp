@@ -150,6 +150,25 @@ void check_contact(const ContactScene& contact, const std::string& source) {
                                  contact_capsule_list, count, most_colliders));
 }
 
+/// Throws InputError if the keys of strands of a file contradict each other.
+void check_groom(const Scene& scene, const std::string& source) {
+  const StrandsScene& s = scene.strands;
+  const auto refuse = [&](const std::string& what) { throw InputError(fmt::format("{}: {}", source, what)); };
+  if (s.groom != "file") {
+    if (!s.file.empty()) refuse("strands.file: needs strands.groom = \"file\"");
+    if (scene.model == no_model) refuse("model: \"none\" needs strands.groom = \"file\"");
+    return;
+  }
+  if (s.file.empty()) refuse("strands.groom: \"file\" needs a file with strands; give strands.file");
+  if (s.layers.size() != 1)
+    refuse(fmt::format("strands.layer: {} fur layers; strands of a file are one fur layer", s.layers.size()));
+  if (scene.mesh.frames != 1)
+    refuse("mesh.frames: strands of a file do not follow a mesh that deforms; give 1");
+  if (scene.model != no_model) return;
+  if (s.file_unit != "R") refuse("strands.file_unit: \"mesh\" needs a mesh file as the model");
+  if (s.chain.collision == "body") refuse("strands.chain.collision: \"body\" needs a mesh as the model");
+}
+
 /// Throws InputError for a key that only Silva's strands support.
 void check_strands_only(const Scene& scene, const std::string& source) {
   const auto refuse = [&](std::string_view key) {
@@ -305,6 +324,7 @@ void check_scene(const Scene& scene, const std::string& source) {
   check_sizes(scene, source);
   check_topology(scene, source);
   check_contact(scene.contact, source);
+  check_groom(scene, source);
   check_pushed(scene, source);
   if (has_springs(scene.dynamics) || has_chains(scene.dynamics)) check_strands_only(scene, source);
   if (!has_springs(scene.dynamics) && !has_chains(scene.dynamics)) check_step(scene.dynamics, source);

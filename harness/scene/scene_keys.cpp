@@ -143,7 +143,7 @@ std::vector<Key> scene_keys(Scene& s) {
   CameraScene& camera = s.camera;
   ImageScene& image = s.image;
   std::vector<Key> keys{
-      {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file"},
+      {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file; \"none\": strands of a file without a mesh"},
       {.name = "pipeline", .slot = &s.pipeline, .unit = "", .help = pipeline_help(), .choices = names_of(drawing_pipelines())},
 
       {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},

@@ -73,6 +73,9 @@ std::string describe_range(const Key& key);
 /// neither of these characters.
 bool is_model_file(std::string_view model);
 
+/// The model of strands without a mesh (strands.groom).
+inline constexpr const char* no_model = "none";
+
 /// Returns the keys [strands] and [strands.chain]. Key::slot points into `strands`.
 std::vector<Key> strand_keys(StrandsScene& strands);
 

@@ -7,6 +7,9 @@ namespace pelage {
 std::vector<Key> strand_keys(StrandsScene& s) {
   ChainScene& chain = s.chain;
   return {
+      {.name = "strands.groom", .slot = &s.groom, .help = "where the strands come from: \"grown\": the fur layers; \"file\": the file strands.file, with the look and the motion of the only fur layer", .choices = {"grown", "file"}},
+      {.name = "strands.file", .slot = &s.file, .help = "strands as polylines: a .hair file (Cem Yuksel's format) or the lines (l) of an .obj file; needs strands.groom = \"file\""},
+      {.name = "strands.file_unit", .slot = &s.file_unit, .help = "coordinates in strands.file: \"R\": those of the prepared model, as `pelage groom` writes them; \"mesh\": those of the model's mesh file", .choices = {"R", "mesh"}},
       {.name = "strands.skin", .slot = &s.skin, .help = "true: the mesh is drawn below the strands with the coat's colour, and hides the strands behind it; false: only strands"},
       {"strands.segments", &s.segments, "", 1, 7, "greatest number of straight segments that a drawn strand is divided into"},
       {.name = "strands.subdivision", .slot = &s.subdivision, .help = "number of segments of a drawn strand: \"fixed\" is strands.segments; \"screen\" is as many as the longest strand needs on the screen; \"strand\" is as many as each strand needs; at most strands.segments", .choices = {"fixed", "screen", "strand"}},

@@ -77,8 +77,11 @@ struct ChainScene {
 };
 
 struct StrandsScene {
-  bool skin = true;  ///< true: the mesh is drawn below the strands and hides those behind it
-  int segments = 6;  ///< greatest number of straight segments of a drawn strand
+  std::string groom = "grown";  ///< "grown" | "file"
+  std::filesystem::path file;   ///< strands of the groom "file"
+  std::string file_unit = "R";  ///< "R" | "mesh"
+  bool skin = true;             ///< true: the mesh is drawn below the strands and hides those behind it
+  int segments = 6;             ///< greatest number of straight segments of a drawn strand
   std::string subdivision = "fixed";
   std::string back_facing = "removed";
   float fraction = 1.0f;  ///< part of the strands that is drawn; their width grows so that coverage is kept

@@ -9,10 +9,16 @@ layout(location = 2) in vec4 third;
 #ifdef SHADED
 layout(location = 3) in vec4 fourth;
 #endif
+#ifdef SHAPES
+layout(location = 4) in vec4 shape;
+#endif
 #else
 layout(std430, binding = 0) readonly buffer Records { vec4 record[]; };
 #ifdef SHADED
 layout(std430, binding = 1) readonly buffer Lights { vec4 light[]; };
+#endif
+#ifdef SHAPES
+layout(std430, binding = 3) readonly buffer Shapes { vec4 shapes[]; };
 #endif
 #endif
 
@@ -29,6 +35,9 @@ void main() {
 #ifdef SHADED
   vec4 fourth = light[strand];
 #endif
+#ifdef SHAPES
+  vec4 shape = shapes[strand];
+#endif
 #endif
   Strand s;
   s.root = first.xyz;
@@ -42,6 +51,9 @@ void main() {
 #ifdef SHADED
   s.height = vec2(third.w, fourth.w);
   s.steady = fourth.xyz;
+#endif
+#ifdef SHAPES
+  s.part = shape;
 #endif
   Vertex v = strip_vertex(s, vertex >> 1, (vertex & 1) != 0 ? 1.0 : -1.0);
   across = v.across;

@@ -17,7 +17,20 @@ struct Strand {
   vec3 steady;   // light that does not change along the strand
 #endif
 #endif
+#ifdef SHAPES
+  vec4 part;     // of a strand of a file: its start and end on the strand, the width at the end divided by that at the start,
+                 // and the height of the start above the skin, divided as `height` is
+#endif
 };
+
+// The parameter of the strand, from 0 (root) to 1 (tip), at the parameter t of the curve.
+float on_strand(Strand s, float t) {
+#ifdef SHAPES
+  return mix(s.part.x, s.part.y, t);
+#else
+  return t;
+#endif
+}
 
 vec3 curve(Strand s, float t) {
   float r = 1.0 - t;
@@ -47,13 +60,19 @@ vec3 camera_axes(vec3 v) { return vec3(v.xy * PIXEL, v.z); }
 
 // The number of segments of the strip (docs/strands.md, section Segments).
 int segments_of(Strand s) {
+#ifdef SHAPES
+  float share = float(OWN_SEGMENTS != 0 ? 3 : STRAND_SEGMENTS) * (s.part.y - s.part.x);
+  int fewest = min(max(int(ceil(share - 1.0 / 1024.0)), OWN_SEGMENTS != 0 ? 1 : 2), SEGMENTS);
+#else
+  int fewest = OWN_SEGMENTS != 0 ? min(3, SEGMENTS) : SEGMENTS;
+#endif
 #if OWN_SEGMENTS
   float nearest = min(s.root.z, min(s.joint.z, s.tip.z));
   if (nearest < NEAR) return SEGMENTS;
   float pixels = length(camera_axes(s.root - 2.0 * s.joint + s.tip)) / (nearest * PIXEL);
-  return clamp(int(ceil(sqrt(min(pixels, 1024.0)))), min(3, SEGMENTS), SEGMENTS);
+  return clamp(int(ceil(sqrt(min(pixels, 1024.0)))), fewest, SEGMENTS);
 #else
-  return SEGMENTS;
+  return fewest;
 #endif
 }
 
@@ -88,14 +107,19 @@ vec3 film_at(Strand s, float t) {
 // Light of Kajiya and Kay on a hair, and the lights of section Light. key: part of the key light that arrives.
 vec3 hair_light(Strand s, float t, vec3 film_factors, float key) {
   vec3 slope = camera_axes(mix(s.joint - s.root, s.tip - s.joint, t)), start = camera_axes(s.joint - s.root);
-  vec3 tangent = normalize(length(slope) < length(start) / 1024.0 ? start : slope);
+  vec3 along = length(slope) < length(start) / 1024.0 ? start : slope;
+  vec3 tangent = length(along) > 0.0 ? normalize(along) : vec3(0.0);
   vec3 from_eye = normalize(camera_axes(s.joint));
   float along_light = dot(tangent, LIGHT), along_eye = dot(tangent, from_eye);
   float across_light = length(cross(tangent, LIGHT)), across_eye = length(cross(tangent, from_eye));
   float mirror = max(0.0, along_light * along_eye + across_light * across_eye);
   float shine = INTENSITY * key * film_factors.y * pow(mirror, EXPONENT * own(s, OWN_EXPONENT)), diffuse = INTENSITY * key * across_light;
 #ifdef LIGHTS
-  float height = clamp(2.0 * t * (1.0 - t) * s.height.x + t * t * s.height.y, 0.0, 1.0);
+  float height = 2.0 * t * (1.0 - t) * s.height.x + t * t * s.height.y;
+#ifdef SHAPES
+  height += (1.0 - t) * (1.0 - t) * s.part.w;
+#endif
+  height = clamp(height, 0.0, 1.0);
   float bright = film_factors.x * (1.0 - SKIN_SHADOW * own(s, OWN_SKIN_SHADOW) * (1.0 - height));
   return bright * (s.steady + s.colour * diffuse + SPECULAR * shine);
 #else
@@ -154,14 +178,18 @@ Vertex strip_vertex(Strand s, int k, float side) {
   mitre = square > 1e-12 ? mitre * inversesqrt(square) : vec2(0.0);
   vec2 along = k > 0 ? before : behind;
   Vertex v;
-  float radius = s.radius * (1.0 - TAPER * own(s, OWN_TAPER) * t) * per_depth(p.z);
+  float along_strand = on_strand(s, t);
+  float radius = s.radius * (1.0 - TAPER * own(s, OWN_TAPER) * along_strand) * per_depth(p.z);
+#ifdef SHAPES
+  radius *= mix(1.0, s.part.z, t);
+#endif
   // A mitre of more than 90 degrees is shortened.
   float stretch = 1.0 / max(dot(mitre, along), 0.70710678);
   float distance = side * (radius + 0.5);
-  vec3 factors = film_at(s, t);
+  vec3 factors = film_at(s, along_strand);
   v.at = here + vec2(-mitre.y, mitre.x) * (distance * stretch);
   v.depth = p.z;
-  v.across = vec3(distance, radius, OPACITY * factors.z * (1.0 - t * t * t));
+  v.across = vec3(distance, radius, OPACITY * factors.z * (1.0 - along_strand * along_strand * along_strand));
 #ifdef MAP
   v.colour = vec3(0.0);
 #else

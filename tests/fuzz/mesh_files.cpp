@@ -1,5 +1,6 @@
 #include "harness/mesh/cache.hpp"
 #include "harness/mesh/read/formats.hpp"
+#include "harness/mesh/read/polylines.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/fuzz/targets.hpp"
 
@@ -7,6 +8,20 @@ namespace pelage::fuzz {
 
 void mesh(std::string_view bytes, std::string_view format) {
   may_refuse([&] { parse_soup(bytes, format, "mesh", true); });
+}
+
+void strands(std::string_view bytes, std::string_view format) {
+  may_refuse([&] {
+    const Polylines lines = parse_polylines(bytes, format, "strands");
+    std::size_t points = 0;
+    for (const std::uint32_t count : lines.count) {
+      expect(count >= 2, "a strand needs two points");
+      points += count;
+    }
+    expect(points == lines.point.size(), "each point belongs to a strand");
+    expect(lines.width.empty() || lines.width.size() == points, "each point has a width");
+    expect(lines.colour.empty() || lines.colour.size() == points, "each point has a colour");
+  });
 }
 
 void gltf(std::string_view bytes) {

@@ -24,30 +24,34 @@ void picture(std::string_view bytes);    ///< a picture file; the first byte sel
 void proc_stat(std::string_view bytes);  ///< the first line of /proc/stat, which contains CPU times
 void scene(std::string_view bytes);      ///< a scene file
 void set(std::string_view bytes);        ///< the value of the command-line option --set
-void tuning(std::string_view bytes);     ///< a tuning file
+void strands(std::string_view bytes, std::string_view format);  ///< HAIR or the lines of OBJ
+void tuning(std::string_view bytes);                            ///< a tuning file
 
 struct Target {
   std::string_view name;
   void (*run)(std::string_view bytes);
 };
 
-inline constexpr std::array<Target, 18> targets{{{"3ds", [](std::string_view bytes) { mesh(bytes, "3ds"); }},
-                                                 {"archive", archive},
-                                                 {"cached", cached},
-                                                 {"claims", claims},
-                                                 {"experiment", experiment},
-                                                 {"gltf", gltf},
-                                                 {"journal", journal},
-                                                 {"models", models},
-                                                 {"obj", [](std::string_view bytes) { mesh(bytes, "obj"); }},
-                                                 {"off", [](std::string_view bytes) { mesh(bytes, "off"); }},
-                                                 {"options", options},
-                                                 {"picture", picture},
-                                                 {"ply", [](std::string_view bytes) { mesh(bytes, "ply"); }},
-                                                 {"proc_stat", proc_stat},
-                                                 {"scene", scene},
-                                                 {"set", set},
-                                                 {"stl", [](std::string_view bytes) { mesh(bytes, "stl"); }},
-                                                 {"tuning", tuning}}};
+inline constexpr std::array<Target, 20> targets{
+    {{"3ds", [](std::string_view bytes) { mesh(bytes, "3ds"); }},
+     {"archive", archive},
+     {"cached", cached},
+     {"claims", claims},
+     {"experiment", experiment},
+     {"gltf", gltf},
+     {"hair", [](std::string_view bytes) { strands(bytes, "hair"); }},
+     {"journal", journal},
+     {"models", models},
+     {"obj", [](std::string_view bytes) { mesh(bytes, "obj"); }},
+     {"obj_lines", [](std::string_view bytes) { strands(bytes, "obj"); }},
+     {"off", [](std::string_view bytes) { mesh(bytes, "off"); }},
+     {"options", options},
+     {"picture", picture},
+     {"ply", [](std::string_view bytes) { mesh(bytes, "ply"); }},
+     {"proc_stat", proc_stat},
+     {"scene", scene},
+     {"set", set},
+     {"stl", [](std::string_view bytes) { mesh(bytes, "stl"); }},
+     {"tuning", tuning}}};
 
 }  // namespace pelage::fuzz

@@ -11,8 +11,14 @@
 
 namespace pelage::detail {
 
+/// Returns the bytes without a byte order mark. Throws InputError if they are UTF-16 text.
+std::string_view text_of(std::string_view bytes, const std::string& name);
+
 /// Wavefront OBJ.
 Soup read_obj(std::string_view bytes, const std::string& name, bool with_uv);
+
+/// The lines (`l`) of a Wavefront OBJ file, in place of its faces.
+Soup read_obj_lines(std::string_view bytes, const std::string& name);
 
 /// Geomview's OFF, COFF, NOFF and STOFF in text form.
 Soup read_off(std::string_view bytes, const std::string& name, bool with_uv);

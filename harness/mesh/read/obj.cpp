@@ -19,8 +19,8 @@ struct Largest {
 
 class Obj {
  public:
-  Obj(std::string_view bytes, const std::string& name, bool with_uv)
-      : lines_(bytes), name_(name), with_uv_(with_uv) {}
+  Obj(std::string_view bytes, const std::string& name, bool with_uv, bool wants_lines = false)
+      : lines_(bytes), name_(name), with_uv_(with_uv), wants_lines_(wants_lines) {}
 
   Soup read() {
     while (next()) {
@@ -33,9 +33,10 @@ class Obj {
         const std::string_view v = words.next();
         uv_.emplace_back(u, v.empty() ? 0 : uv_number(v, name_, lines_.number()));
       }
-      if (element == "f" || element == "fo") read_face(words);
+      if (wants_lines_ ? element == "l" : element == "f" || element == "fo") read_polygon(words);
     }
-    if (soup_.polygon.empty()) fail(name_, 0, "the file contains no faces");
+    if (soup_.polygon.empty())
+      fail(name_, 0, wants_lines_ ? "the file contains no lines (l)" : "the file contains no faces");
     need(points_, std::int64_t(soup_.point.size()), "vertex {} is out of range; there are {} vertices");
     need(coordinates_, std::int64_t(uv_.size()),
          "texture coordinate {} is out of range; there are {} texture coordinates");
@@ -78,7 +79,8 @@ class Obj {
     return *found > 0 ? *found : count + 1 + *found;
   }
 
-  void read_face(Words& words) {
+  /// The corners of a face or of a line.
+  void read_polygon(Words& words) {
     auto& polygon = soup_.polygon.emplace_back();
     auto& corners = corner_uv_.emplace_back();
     for (std::string_view word; !(word = words.next()).empty();) {
@@ -94,8 +96,10 @@ class Obj {
       coordinates_.add(uv, lines_.number());
       corners.push_back(stored(uv));
     }
-    if (polygon.size() < 3)
-      fail(name_, lines_.number(), fmt::format("a face of {} corners; give at least three", polygon.size()));
+    if (polygon.size() < (wants_lines_ ? 2 : 3))
+      fail(name_, lines_.number(),
+           fmt::format("a {} of {} corners; give at least {}", wants_lines_ ? "line" : "face", polygon.size(),
+                       wants_lines_ ? "two" : "three"));
     if (!corners.empty() && corners.size() != polygon.size())
       fail(name_, lines_.number(), "only some corners of the face have texture coordinates");
   }
@@ -121,7 +125,7 @@ class Obj {
 
   Lines lines_;
   const std::string& name_;
-  bool with_uv_;
+  bool with_uv_, wants_lines_;
   std::string_view line_;
   std::string joined_;  ///< a line that was continued
   Soup soup_;
@@ -135,6 +139,11 @@ class Obj {
 Soup read_obj(std::string_view bytes, const std::string& name, bool with_uv) {
   need_text(bytes, "OBJ", name);
   return Obj(bytes, name, with_uv).read();
+}
+
+Soup read_obj_lines(std::string_view bytes, const std::string& name) {
+  need_text(bytes, "OBJ", name);
+  return Obj(bytes, name, false, true).read();
 }
 
 }  // namespace pelage::detail

@@ -73,10 +73,15 @@ void check_soup(const Soup& soup, const std::string& name) {
                                      soup.point.size()));
 }
 
-Soup parse_soup(std::string_view bytes, std::string_view format, const std::string& name, bool with_uv) {
+std::string_view detail::text_of(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
     throw InputError(fmt::format("{}: UTF-16 text, which is not read; save the file as UTF-8", name));
   if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+  return bytes;
+}
+
+Soup parse_soup(std::string_view bytes, std::string_view format, const std::string& name, bool with_uv) {
+  bytes = detail::text_of(bytes, name);
   Soup soup = format == "obj"   ? detail::read_obj(bytes, name, with_uv)
               : format == "off" ? detail::read_off(bytes, name, with_uv)
               : format == "ply" ? detail::read_ply(bytes, name, with_uv)

@@ -68,10 +68,18 @@ LayerLook layer_look(const Look& look, int layer) {
   return {layer, 0, std::max(1, int(look.film.size()))};
 }
 
+int segments_of_part(const Look& look, float from, float to) {
+  const float whole = float(look.own_segments ? 3 : look.strand_segments);
+  // The difference keeps rounding errors of the part from adding a segment.
+  const int share = int(std::ceil(whole * (to - from) - 1.0f / 1024));
+  return std::min(std::max(share, look.own_segments ? 1 : 2), look.segments);
+}
+
 void check(const Look& look) {
   in_range("part of the strands that is drawn", look.fraction, 1e-6f, 1);
   in_range("factor of the widths", look.width_factor, 1e-6f, 1);
   in_range("number of segments", float(look.segments), 1, 7);
+  in_range("number of segments of a whole strand", float(look.strand_segments), 1, 7);
   in_range("taper", look.taper, 0, 1);
   in_range("opacity", look.opacity, 0, 1);
   in_range("intensity of the key light", look.intensity, 0, 1000);

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"
@@ -13,15 +14,28 @@
 
 namespace pelage::strands {
 
-/// A strand as it is drawn. Positions and directions are in the object's frame.
+struct StrandShape;
+
+/// What a drawn curve is of a strand of a file.
+struct StrandPart {
+  float from = 0, to = 1;    ///< the part of the strand, from 0 (root) to 1 (tip)
+  float width_end = 1;       ///< width at `to` divided by the width at `from`
+  glm::vec3 root{0};         ///< root of the strand, R
+  float length = 0.1f;       ///< length of the strand's chain, R
+  std::uint32_t strand = 0;  ///< number of the strand
+};
+
+/// A strand as it is drawn, or a part of a strand of a file. Positions and directions are in the object's
+/// frame.
 struct DrawnStrand {
   /// Control points of a quadratic Bezier curve: root, joint and tip, in R.
   std::array<glm::vec3, 3> point{};
   glm::vec3 normal{0, 1, 0};  ///< normal of the skin at the root, unit vector
   glm::vec3 colour{0.5f};     ///< colour of the strand, gamma-encoded, each component 0 to 1
-  float width = 0.002f;       ///< width at the root, R
+  float width = 0.002f;       ///< width at the root, or at the start of the part, R
   int layer = 0;              ///< number of the fur layer, 0 to 255
   int rank = 0;  ///< strands of a lower rank are in front of all strands of a higher rank; 0 to 255
+  std::optional<StrandPart> part;  ///< empty: the whole strand, of a fur layer that was grown
 };
 
 /// A fill light. It is projected to spherical harmonics together with the other fill lights.
@@ -81,7 +95,10 @@ struct Look {
   float fraction = 1;
   /// Factor of the widths of all strands, above 0 and at most 1, from overlap_factor(); 1 if fraction is 1.
   float width_factor = 1;
-  int segments = 6;           ///< number of straight segments that a curve is divided into, 1 to 7
+  int segments = 6;  ///< greatest number of straight segments that a curve is divided into, 1 to 7
+  /// Number of segments of a whole strand of a file, over all its curves; segments_of_part() divides it. 1 to
+  /// 7.
+  int strand_segments = 6;
   bool own_segments = false;  ///< true: each strand has as many segments as it needs, at most `segments`
   BackFacing back_facing = BackFacing::removed;
   float taper = 0.85f;                  ///< part of the width that a strand loses from root to tip, 0 to 1
@@ -142,6 +159,11 @@ std::array<double, 9> basis_at(glm::dvec3 n);
 /// its number as its rank, and uses all frames of the film strip.
 LayerLook layer_look(const Look& look, int layer);
 
+/// Returns the least number of segments of a curve that is the part `from` to `to` of a strand of a file:
+/// the part's share of look.strand_segments, at least 2; or with look.own_segments, its share of 3, at least
+/// 1.
+int segments_of_part(const Look& look, float from, float to);
+
 /// Throws InputError if a value is not finite or outside its valid range. The message names the value and the
 /// valid range.
 void check(const Look& look);
@@ -186,6 +208,8 @@ struct DrawingScene {
   DepthRange range;                         ///< see depth_range()
   float first_segment = 0.5f;               ///< length of the first segment, in lengths of the strand
   std::shared_ptr<const SkinSurface> skin;  ///< null: the picture has no skin
+  /// The shape of each strand; null: the strands are those of fur layers that were grown.
+  std::shared_ptr<const std::vector<StrandShape>> shapes;
 };
 
 }  // namespace pelage::strands

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "harness/error.hpp"
+#include "harness/strands/drawing/drawing.hpp"
 #include "kernels/strands/draw/params.h"
 
 namespace pelage::strands {
@@ -94,6 +95,39 @@ std::vector<float> keyed_columns(const std::vector<KeyedStrand>& strands, std::s
     set(DRAWN_CURVATURE, bits(turn_bits(s.curvature)));
     set(DRAWN_COLOUR, bits(std::uint32_t(s.colour[0]) | std::uint32_t(s.colour[1]) << 8 |
                            std::uint32_t(s.colour[2]) << 16 | std::uint32_t(s.layer) << 24));
+  }
+  return table;
+}
+
+void set_parts(std::vector<DrawnStrand>& curves, const std::vector<KeyedStrand>& strands,
+               const std::vector<StrandShape>& shapes) {
+  glm::vec3 root(0);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const StrandShape& s = shapes[i];
+    if (s.from == 0) root = curves[i].point[0];
+    curves[i].part = StrandPart{s.from, s.to, s.width_end, root, strands[i].length, strands[i].key[0]};
+  }
+}
+
+std::vector<float> shape_columns(const std::vector<StrandShape>& shapes) {
+  std::vector<float> table((shapes.size() + slice - 1) / slice * slice * SHAPE_COLUMNS, 0.0f);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const StrandShape& s = shapes[i];
+    require(s.from >= 0 && s.from < s.to, i, "start of its part", s.from, "at least 0 and below its end");
+    require(s.to <= 1, i, "end of its part", s.to, "at most 1");
+    require(s.width_end >= 0 && s.width_end <= 1e7f, i, "relative width", s.width_end, "from 0 to 1e7");
+    const auto set = [&](int column, float value) {
+      table[(i / slice * SHAPE_COLUMNS + std::size_t(column)) * slice + i % slice] = value;
+    };
+    set(SHAPE_FROM, s.from);
+    set(SHAPE_TO, s.to);
+    set(SHAPE_WIDTH_END, s.width_end);
+    for (int point = 0; point < 3; ++point)
+      for (int axis = 0; axis < 3; ++axis) {
+        const float value = s.offset[std::size_t(point)][axis];
+        require(std::abs(value) <= 1000, i, "offset", value, "from -1000 to 1000");
+        set(SHAPE_OFFSET + 3 * point + axis, value);
+      }
   }
   return table;
 }

@@ -9,6 +9,8 @@
 
 namespace pelage::strands {
 
+struct DrawnStrand;
+
 /// A key strand at one moment, in the object's frame.
 struct KeyStrand {
   glm::vec3 root{0};          ///< R
@@ -31,6 +33,17 @@ struct KeyedStrand {
   std::uint8_t layer = 0;  ///< number of the fur layer, an index of Look::layers
 };
 
+/// The shape of a strand of a file, or of a part of one (docs/grooms.md). The
+/// strand's three key strands are the same one, its own, and `length` is that of its chain.
+struct StrandShape {
+  float from = 0, to = 1;  ///< the part of the strand, from 0 (root) to 1 (tip)
+  float width_end = 1;     ///< width at `to` divided by the width at `from`, KeyedStrand::width
+  /// The control points at rest, from the points of the straight strand at `from`, in the middle and at `to`,
+  /// R.
+  std::array<glm::vec3, 3> offset{};
+  float middle() const { return 0.5f * (from + to); }
+};
+
 /// True if some strand has a response other than 1, or a twist or a curvature other than 0.
 bool has_styles(const std::vector<KeyedStrand>& strands);
 
@@ -45,5 +58,14 @@ std::vector<KeyStrand> keys_of(const std::vector<float>& records, std::size_t co
 /// (kernels/common/slices.clh). Throws InputError if a value is not finite or outside its valid range, or if
 /// an index is not below `keys`, the number of key strands.
 std::vector<float> keyed_columns(const std::vector<KeyedStrand>& strands, std::size_t keys);
+
+/// Sets DrawnStrand::part of all curves, of which `strands` and `shapes` have one entry each. The curves of a
+/// strand follow each other, from its root on.
+void set_parts(std::vector<DrawnStrand>& curves, const std::vector<KeyedStrand>& strands,
+               const std::vector<StrandShape>& shapes);
+
+/// Returns the shapes in the memory layout of the kernels, with SHAPE_COLUMNS columns. Throws InputError if a
+/// value is not finite or outside its valid range.
+std::vector<float> shape_columns(const std::vector<StrandShape>& shapes);
 
 }  // namespace pelage::strands

@@ -176,8 +176,8 @@ void add_layer(const Mesh& mesh, const Skin& skin, const LayerMaps& maps, const 
   fur.bounds.push_back(bounds_of(fur, first));
 }
 
-/// Reads the film strips. If one layer has a film strip and another has none, the latter gets a frame of
-/// factors 1.
+}  // namespace
+
 void add_film(const std::vector<StrandLayerScene>& layers, Fur& fur) {
   const bool any = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return !l.film.empty(); });
   int plain = -1;
@@ -203,8 +203,6 @@ void add_film(const std::vector<StrandLayerScene>& layers, Fur& fur) {
     fur.layers.push_back(look);
   }
 }
-
-}  // namespace
 
 Fur grow_layers(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat) {
   const std::vector<StrandLayerScene>& layers = strands.layers;

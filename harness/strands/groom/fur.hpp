@@ -2,10 +2,12 @@
 // between them. docs/strands.md, section Authoring, defines the fur.
 #pragma once
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"
+#include "harness/mesh/read/polylines.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/strands/chain/chain.hpp"
 #include "harness/strands/drawing/drawing.hpp"
@@ -30,6 +32,9 @@ struct Fur {
   /// ranks for a view.
   std::vector<LayerLook> layers;
   std::vector<FilmFrame> film;  ///< the film strips of all layers, for Look::film
+  /// Of strands of a file: the shape of each element of `strands`. A strand has one or more of them, and
+  /// `keys` has one element per strand. Null: grown fur.
+  std::shared_ptr<const std::vector<StrandShape>> shapes;
 };
 
 /// Returns the fur of all layers. The same arguments give the same fur on every machine. The coat gives the
@@ -42,6 +47,10 @@ Fur grow(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat)
 /// set_chains() multiplies them by those of the scene.
 Fur grow_layers(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat);
 void set_chains(Fur& fur, const ChainScene& chain);
+
+/// Returns the fur of the strands of a file (docs/grooms.md), with the colours,
+/// the look and the motion of the only fur layer. Throws InputError if a picture of the scene cannot be read.
+Fur fur_of_file(const PlacedStrands& placed, const StrandsScene& strands, const CoatTexture& coat);
 
 /// Version of the code that grows fur. The name of every cache file contains it. Increase it whenever a
 /// change of the code changes the fur. tests/strands/groom/fur_cache_test.cpp detects such changes by a hash.

@@ -17,6 +17,8 @@
 
 namespace pelage::strands {
 
+struct Fur;
+
 /// All maps of a fur layer except the film strip: pictures in UV space that vary the layer's values over the
 /// surface.
 struct LayerMaps {
@@ -80,6 +82,11 @@ struct LockOptions {
 /// their locks. A strand belongs to the lock whose middle has the nearest root on the same side of the skin.
 void pull_into_locks(std::span<KeyedStrand> strands, const std::vector<KeyStrand>& keys,
                      const LockOptions& options);
+
+/// Adds the looks of the fur layers to Fur::layers, and their film strips to Fur::film. If one layer has a
+/// film strip and another has none, the latter gets a frame of factors 1. Throws InputError if a film strip
+/// cannot be read or is not usable.
+void add_film(const std::vector<StrandLayerScene>& layers, Fur& fur);
 
 /// Returns the order in which strands are stored: the indices of the strands, such that each prefix of the
 /// order is spread over the surface almost as evenly as all strands, and strands that are near each other in

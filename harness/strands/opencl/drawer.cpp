@@ -50,6 +50,7 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   p.first_segment = scene.first_segment;
   p.slope = (1 - scene.first_segment) / scene.first_segment;
   p.segments = look.segments;
+  p.strand_segments = look.strand_segments;
   p.own_segments = look.own_segments ? 1 : 0;
   p.back_facing = look.back_facing == BackFacing::removed ? BACK_REMOVED
                   : look.back_facing == BackFacing::last  ? BACK_LAST
@@ -115,8 +116,10 @@ bool same_size(const Camera& a, const Camera& b) {
   return a.width == b.width && a.height == b.height;
 }
 
-PictureKinds kinds_of(const Look& look, const std::vector<KeyedStrand>& strands) {
-  return {has_lights(look), has_styles(strands), has_layer_looks(look), look.shadow.reading};
+PictureKinds kinds_of(const DrawingScene& scene, const std::vector<KeyedStrand>& strands) {
+  const Look& look = scene.look;
+  return {has_lights(look), has_styles(strands), has_layer_looks(look), look.shadow.reading,
+          scene.shapes != nullptr};
 }
 
 }  // namespace
@@ -126,23 +129,26 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
     : strands_(strands),
       scene_(scene),
       layers_(film_table(scene.look).layers),
-      kinds_(kinds_of(scene.look, strands)),
+      kinds_(kinds_of(scene, strands)),
       layout_(layout_of(queue.device().info(), scene.camera.width, scene.camera.height, options)),
       sort_(queue.device(), options.runs),
       params_(params_of(scene, layout_.tile, chunks_of(queue.device(), options.chunks))),
       key_bits_(key_bits_of(scene.look, strands_, layers_)) {
   if (strands.empty()) throw InputError("strands: there are none; at least one is needed");
+  if (scene.shapes && scene.shapes->size() != strands.size())
+    throw InputError(fmt::format("strands: {} shapes for {} strands", scene.shapes->size(), strands.size()));
   need_looks(scene.look, strands_);
   const cl::Device& device = queue.device();
   constants_ = cl::uploaded(queue, keyed_columns(strands, keys));
+  shapes_ = scene.shapes ? cl::uploaded(queue, shape_columns(*scene.shapes)) : cl::Buffer<float>(device, 1);
   keys_ = cl::Buffer<float>(device, (keys + slice - 1) / slice * slice * KEY_RECORD);
   const std::size_t padded = (strands.size() + slice - 1) / slice * slice;
   params_.runs = sort_.runs();
   set_pruning(Look{});
   params_.capacity = params_.units_per_run * layout_.lanes;
   set_pruning(scene.look);
-  pass_.emplace(queue, params_, picture_texts(kinds_, layout_, false, scene.skin != nullptr), layout_,
-                padded);
+  pass_.emplace(queue, params_, picture_texts(kinds_, layout_, false, scene.skin != nullptr), layout_, padded,
+                kinds_.shapes);
   film_ = cl::uploaded(queue, film_words(scene.look));
   layer_table_ = cl::Buffer<std::int32_t>(device, std::size_t(most_layers) * LAYER_RECORD);
   nothing_ = cl::Buffer<glm::vec4>(device, 1);
@@ -165,8 +171,8 @@ void Drawer::set_pruning(const Look& look) {
 bool Drawer::can_show(const DrawingScene& scene) const {
   check(scene.look);
   return same_size(scene.camera, scene_.camera) && film_words(scene.look) == film_words(scene_.look) &&
-         kinds_of(scene.look, strands_) == kinds_ && scene.look.shadow.size == scene_.look.shadow.size &&
-         scene.skin == scene_.skin;
+         kinds_of(scene, strands_) == kinds_ && scene.look.shadow.size == scene_.look.shadow.size &&
+         scene.skin == scene_.skin && scene.shapes == scene_.shapes;
 }
 
 void Drawer::set_view(const DrawingScene& scene) {
@@ -197,13 +203,13 @@ void Drawer::write_layers(const cl::Queue& queue) {
 
 void Drawer::enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events) {
   write_layers(queue);
-  pass_->make_keys(queue, params_, constants_, keys_, layer_table_, "keys", events);
+  pass_->make_keys(queue, params_, buffers(), "keys", events);
 }
 
 void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
   if (map_) {
     write_layers(queue);
-    map_->enqueue(queue, params_, light_view(scene_.look), {constants_, keys_, layer_table_, film_}, events);
+    map_->enqueue(queue, params_, light_view(scene_.look), buffers(), events);
   }
   const cl::Buffer<glm::vec4>& map = map_ ? map_->texels() : nothing_;
   if (skin_) skin_->enqueue(queue, params_, map, events);
@@ -255,6 +261,7 @@ std::vector<DrawnStrand> Drawer::curves(const cl::Queue& queue) {
     d.layer = s.layer;
     d.rank = layers_[s.layer].rank;
   }
+  if (scene_.shapes) set_parts(drawn, strands_, *scene_.shapes);
   return drawn;
 }
 

@@ -15,19 +15,25 @@
 
 namespace pelage::strands {
 
+/// The buffers of the strands, of which a picture and its opacity map are drawn. `shapes` has the columns of
+/// shape_columns(), or one float if the strands have no shapes.
+struct StrandBuffers {
+  const cl::Buffer<float>&constants, &shapes, &keys;
+  const cl::Buffer<std::int32_t>&layers, &film;
+};
+
 /// The kernels that draw strands into a picture or into an opacity map: they compute the curves and sort
 /// keys, list the strands that each tile may show (kernels/strands/draw/bins.cl), and draw the tiles.
 class StrandPass {
  public:
   /// params.tiles_x, tiles_y, capacity, runs and chunks must be set. `padded` is the number of strands,
-  /// rounded up to a multiple of 16.
+  /// rounded up to a multiple of 16. `shapes`: the strands have shapes.
   StrandPass(const cl::Queue& queue, const DrawParams& params, const PictureTexts& texts,
-             const DrawerLayout& layout, std::size_t padded);
+             const DrawerLayout& layout, std::size_t padded, bool shapes);
 
   /// Enqueues the kernel that writes the curves and the sort keys.
-  void make_keys(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<float>& constants,
-                 const cl::Buffer<float>& keys, const cl::Buffer<std::int32_t>& layers, const char* phase,
-                 cl::PhaseEvents* events);
+  void make_keys(const cl::Queue& queue, const DrawParams& params, const StrandBuffers& strands,
+                 const char* phase, cl::PhaseEvents* events);
 
   /// Enqueues the kernels that list the first total[0] pairs and draw the tiles, in the phases `list_phase`
   /// and `draw_phase`. film, map, skin: see strand_tiles (tile.cl). The host waits once, because it needs the
@@ -57,12 +63,6 @@ class StrandPass {
   cl::Buffer<glm::vec4> image_;
 };
 
-/// The buffers of a picture that its opacity map also uses.
-struct PictureBuffers {
-  const cl::Buffer<float>&constants, &keys;
-  const cl::Buffer<std::int32_t>&layers, &film;
-};
-
 class OpacityMap {
  public:
   /// `kinds`, `picture`: of the picture for which the map is made. params.chunks and runs must be set, and
@@ -72,7 +72,7 @@ class OpacityMap {
 
   /// Enqueues the kernels that draw the map, all in the phase `shadow`. `params` describes the picture.
   void enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
-               const PictureBuffers& buffers, cl::PhaseEvents* events);
+               const StrandBuffers& buffers, cl::PhaseEvents* events);
 
   /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), 1 / D in 1/R
   /// (docs/strands.md, section Shadow), transmittance 1 - A, and 0.
@@ -168,6 +168,8 @@ class Drawer {
   void set_pruning(const Look& look);
   /// Writes layers_ to layer_table_ if set_view() has changed them.
   void write_layers(const cl::Queue& queue);
+  StrandBuffers buffers() const { return {constants_, shapes_, keys_, layer_table_, film_}; }
+
   std::vector<KeyedStrand> strands_;
   DrawingScene scene_;
   std::vector<LayerLook> layers_;  ///< of all 256 possible fur layers
@@ -178,7 +180,7 @@ class Drawer {
   std::optional<StrandPass> pass_;
   std::optional<OpacityMap> map_;
   std::optional<SkinDrawer> skin_;
-  cl::Buffer<float> constants_, keys_;
+  cl::Buffer<float> constants_, shapes_, keys_;
   cl::Buffer<std::int32_t> film_, layer_table_;
   cl::Buffer<glm::vec4> nothing_;  ///< the kernels' argument without an opacity map or without a skin
   bool layers_written_ = false;

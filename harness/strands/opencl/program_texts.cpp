@@ -7,6 +7,7 @@
 #include "harness/cl/radix_sort.hpp"
 #include "harness/contact/opencl/contact_stage.hpp"
 #include "harness/error.hpp"
+#include "harness/scene/scene_keys.hpp"
 #include "harness/strands/scene/strand_input.hpp"
 #include "kernels/strands/draw/params.h"
 
@@ -38,17 +39,21 @@ std::string options_of(const PictureKinds& kinds) {
   const int shadow = kinds.shadow == Shadow::none     ? SHADOW_NONE
                      : kinds.shadow == Shadow::linear ? SHADOW_LINEAR
                                                       : SHADOW_EXPONENTIAL;
-  return fmt::format("-D STRAND_LIGHTS={} -D STRAND_STYLES={} -D STRAND_SHADOW={}{}", int(kinds.lights),
-                     int(kinds.styles), shadow, kinds.layers ? " -D STRAND_LAYERS=1" : "");
+  return fmt::format("-D STRAND_LIGHTS={} -D STRAND_STYLES={} -D STRAND_SHADOW={}{}{}", int(kinds.lights),
+                     int(kinds.styles), shadow, kinds.layers ? " -D STRAND_LAYERS=1" : "",
+                     kinds.shapes ? " -D STRAND_SHAPES=1" : "");
 }
 
 /// What prepare_strands() and grow() will find for this scene, without growing the fur.
 PictureKinds expected_kinds(const Scene& scene) {
   const std::vector<StrandLayerScene>& layers = scene.strands.layers;
   const bool film = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return !l.film.empty(); });
-  const bool styles = std::ranges::any_of(layers, [](const StrandLayerScene& l) { return l.is_styled(); });
+  const bool shapes = scene.strands.groom == "file";
+  const bool styles = std::ranges::any_of(
+      layers, [&](const StrandLayerScene& l) { return shapes ? l.response != 1 : l.is_styled(); });
   const Look look = look_of(scene);
-  return {film || has_lights(look), styles, has_layer_looks(look), shadow_named(scene.strands.shadow)};
+  return {film || has_lights(look), styles, has_layer_looks(look), shadow_named(scene.strands.shadow),
+          shapes};
 }
 
 }  // namespace
@@ -108,9 +113,10 @@ std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const S
   const auto add = [&](const PictureTexts& picture) {
     texts.insert(texts.end(), {picture.keys, picture.draw, picture.lists});
   };
-  add(picture_texts(kinds, layout, false, scene.strands.skin));
+  const bool skin = scene.strands.skin && scene.model != no_model;
+  add(picture_texts(kinds, layout, false, skin));
   if (kinds.shadow != Shadow::none) add(picture_texts(kinds, map_layout(layout), true, false));
-  if (scene.strands.skin) texts.push_back(skin_text(kinds, layout.lanes));
+  if (skin) texts.push_back(skin_text(kinds, layout.lanes));
   if (has_contact(scene.contact)) texts.push_back(chain_contact_text(scene.contact, device.info().lanes));
   if (scene.mesh.frames > 1) texts.push_back(chain_text(dynamics, device.info().lanes, true, own_damping));
   return texts;

@@ -32,6 +32,7 @@ struct PictureKinds {
   bool styles = false;  ///< has_styles() of keyed.hpp
   bool layers = false;  ///< has_layer_looks() of drawing.hpp
   Shadow shadow = Shadow::none;
+  bool shapes = false;  ///< the strands have shapes (DrawingScene::shapes)
   bool operator==(const PictureKinds&) const = default;
 };
 

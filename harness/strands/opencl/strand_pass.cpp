@@ -9,7 +9,7 @@
 namespace pelage::strands {
 
 StrandPass::StrandPass(const cl::Queue& queue, const DrawParams& params, const PictureTexts& texts,
-                       const DrawerLayout& layout, std::size_t padded)
+                       const DrawerLayout& layout, std::size_t padded, bool shapes)
     : layout_(layout),
       key_program_(queue.device(), texts.keys),
       list_program_(queue.device(), texts.lists),
@@ -22,7 +22,7 @@ StrandPass::StrandPass(const cl::Queue& queue, const DrawParams& params, const P
       draw_(draw_program_, layout.group ? "strand_group" : "strand_tiles") {
   const cl::Device& device = queue.device();
   const std::size_t tiles = std::size_t(params.tiles_x) * std::size_t(params.tiles_y);
-  rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
+  rows_ = cl::Buffer<float>(device, padded * (shapes ? SHAPED_ROW : STRAND_ROW));
   curves_ = cl::Buffer<float>(device, 1);
   blocks_ = cl::Buffer<std::uint64_t>(device, padded);
   pairs_ = cl::Buffer<cl::Pair>(device, std::size_t(params.capacity) * std::size_t(params.runs));
@@ -35,11 +35,10 @@ StrandPass::StrandPass(const cl::Queue& queue, const DrawParams& params, const P
   image_ = cl::Buffer<glm::vec4>(device, std::size_t(params.width) * std::size_t(params.height));
 }
 
-void StrandPass::make_keys(const cl::Queue& queue, const DrawParams& params,
-                           const cl::Buffer<float>& constants, const cl::Buffer<float>& keys,
-                           const cl::Buffer<std::int32_t>& layers, const char* phase,
-                           cl::PhaseEvents* events) {
-  make_keys_.with(params, constants, keys, layers, rows_, blocks_, pairs_, live_, curves_);
+void StrandPass::make_keys(const cl::Queue& queue, const DrawParams& params, const StrandBuffers& strands,
+                           const char* phase, cl::PhaseEvents* events) {
+  make_keys_.with(params, strands.constants, strands.shapes, strands.keys, strands.layers, rows_, blocks_,
+                  pairs_, live_, curves_);
   cl::keep(events, phase, make_keys_.enqueue(queue, std::size_t(params.runs)));
 }
 
@@ -113,19 +112,19 @@ OpacityMap::OpacityMap(const cl::Queue& queue, const DrawParams& params, const L
                        const PictureKinds& kinds, const DrawerLayout& picture, std::size_t padded)
     : layout_(map_layout(picture)),
       pass_(queue, with_capacity(map_params(params, view, layout_.lanes, layout_.tile), params),
-            picture_texts(kinds, layout_, true, false), layout_, padded),
+            picture_texts(kinds, layout_, true, false), layout_, padded, kinds.shapes),
       total_(queue.device(), 1),
       nothing_(queue.device(), 1) {}
 
 void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
-                         const PictureBuffers& buffers, cl::PhaseEvents* events) {
+                         const StrandBuffers& buffers, cl::PhaseEvents* events) {
   const DrawParams p = map_params(params, view, layout_.lanes, layout_.tile);
   if (p.strands != strands_) {
     const std::array<std::int32_t, 1> total{p.strands};
     total_.write(queue, total);
     strands_ = p.strands;
   }
-  pass_.make_keys(queue, p, buffers.constants, buffers.keys, buffers.layers, "shadow", events);
+  pass_.make_keys(queue, p, buffers, "shadow", events);
   pass_.draw(queue, p, total_, buffers.film, nothing_, nothing_, "shadow", "shadow", events);
 }
 

@@ -25,6 +25,13 @@ glm::vec3 rotated(glm::vec3 v, glm::vec3 axis, float degrees) {
   return c * v + (1 - c) * glm::dot(axis, v) * axis + s * glm::cross(axis, v);
 }
 
+/// Returns v, rotated as the shortest rotation turns the unit vector `from` to the unit vector `to`.
+glm::vec3 carried(glm::vec3 v, glm::vec3 from, glm::vec3 to) {
+  const float c = glm::dot(from, to);
+  const glm::vec3 axis = glm::cross(from, to);
+  return c * v + glm::dot(axis, v) / std::max(1 + c, 1.0f / 1024) * axis + glm::cross(axis, v);
+}
+
 float times(glm::vec4 row, glm::vec3 p) {
   return row.x * p.x + row.y * p.y + row.z * p.z + row.w;
 }
@@ -55,10 +62,10 @@ std::vector<KeyedStrand> drawn_of(const std::vector<KeyedStrand>& strands, const
 
 }  // namespace
 
-/// A strand's control points, and the normal at its root.
+/// A strand's control points, its root, and the normal there.
 struct HostStrands::Curve {
   std::array<glm::vec3, 3> point;
-  glm::vec3 normal;
+  glm::vec3 root, normal;
 };
 
 HostStrands::HostStrands(const DrawingScene& scene, const std::vector<KeyedStrand>& strands)
@@ -75,9 +82,16 @@ HostStrands::HostStrands(const DrawingScene& scene, const std::vector<KeyedStran
   records_.strand.resize(strands_.size());
   if (lights_) records_.light.resize(strands_.size());
   if (map_) in_light_.strand.resize(strands_.size());
+  if (!scene.shapes) return;
+  for (std::size_t i = 0; i < strands_.size(); ++i) {
+    const StrandShape& s = (*scene.shapes)[i];
+    records_.shape.push_back({s.from, s.to, s.width_end, 0});
+  }
+  if (map_) in_light_.shape = records_.shape;
 }
 
-HostStrands::Curve HostStrands::curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& s) const {
+HostStrands::Curve HostStrands::curve_of(const std::vector<KeyStrand>& keys, std::size_t number) const {
+  const KeyedStrand& s = strands_[number];
   const KeyStrand &a = keys[s.key[0]], &b = keys[s.key[1]], &c = keys[s.key[2]];
   const float wa = 1 - s.weight.x - s.weight.y, wb = s.weight.x, wc = s.weight.y;
   const auto mean = [&](glm::vec3 KeyStrand::*v) { return wa * a.*v + wb * b.*v + wc * c.*v; };
@@ -100,8 +114,18 @@ HostStrands::Curve HostStrands::curve_of(const std::vector<KeyStrand>& keys, con
     const float sine = -rise / slope;
     w = sine * n + std::sqrt(1 - sine * sine) * along_plane(w, n);
   }
-  const glm::vec3 joint = root + first * s.length * u;
-  return {{root, joint, joint + (1 - first) * s.length * w}, n};
+  const glm::vec3 joint = root + first * s.length * u, tip = joint + (1 - first) * s.length * w;
+  if (!scene_.shapes) return {{root, joint, tip}, root, n};
+  const StrandShape& shape = (*scene_.shapes)[number];
+  const std::array<float, 3> place{shape.from, shape.middle(), shape.to};
+  Curve curve{{}, root, n};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float t = place[i];
+    const glm::vec3 on = (1 - t) * (1 - t) * root + 2 * t * (1 - t) * joint + t * t * tip;
+    curve.point[i] =
+        on + glm::mix(carried(shape.offset[i], a.rest, u), carried(shape.offset[i], a.rest, w), t);
+  }
+  return curve;
 }
 
 void HostStrands::set_light(const Curve& curve, const KeyedStrand& s, std::size_t at) {
@@ -118,18 +142,21 @@ void HostStrands::set_light(const Curve& curve, const KeyedStrand& s, std::size_
       look.rim * layer.rim *
           std::pow(std::max(0.0f, 1 - std::abs(glm::dot(n, eye))), look.rim_exponent * layer.rim_exponent);
   const float scale = 1 / (look.skin_shadow_height * s.length);
-  records_.strand[at].joint_height = scale * glm::dot(n, curve.point[1] - curve.point[0]);
-  r.tip_height = scale * glm::dot(n, curve.point[2] - curve.point[0]);
+  records_.strand[at].joint_height = scale * glm::dot(n, curve.point[1] - curve.root);
+  r.tip_height = scale * glm::dot(n, curve.point[2] - curve.root);
+  if (scene_.shapes) records_.shape[at].root_height = scale * glm::dot(n, curve.point[0] - curve.root);
 }
 
-/// The sort key of a strand: the lowest one is in front. `away`: the strand faces away from the camera.
-std::uint32_t HostStrands::key_of(const StrandRecord& r, int rank, bool away) const {
+/// The sort key of a strand: the lowest one is in front. `width_end`: its width at the end divided by that at
+/// the start. `away`: the strand faces away from the camera.
+std::uint32_t HostStrands::key_of(const StrandRecord& r, float width_end, int rank, bool away) const {
+  const float wide = 1.5f * r.radius * std::max(1.0f, width_end);
   const Camera& c = scene_.camera;
   const std::array<glm::vec3, 3>& v = r.view;
   if (v[0].z < c.near && v[1].z < c.near && v[2].z < c.near) return not_drawn;
   const bool in_front = v[0].z >= c.near && v[1].z >= c.near && v[2].z >= c.near;
-  if (in_front && (beyond(v, 0, 0.5f * float(c.width) + 1, 1.5f * r.radius) ||
-                   beyond(v, 1, 0.5f * float(c.height) + 1, 1.5f * r.radius)))
+  if (in_front &&
+      (beyond(v, 0, 0.5f * float(c.width) + 1, wide) || beyond(v, 1, 0.5f * float(c.height) + 1, wide)))
     return not_drawn;
   if (away && scene_.look.back_facing == BackFacing::last) return faces_away;
   const DepthRange& range = scene_.range;
@@ -145,13 +172,14 @@ void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {
     const auto at = std::size_t(i);
     const KeyedStrand& s = strands_[at];
     const LayerLook& layer = layers_[s.layer];
-    const Curve curve = curve_of(keys, s);
-    const auto frame = std::uint32_t(
-        std::uint64_t(std::uint32_t(std::uint32_t(i) * 2654435761u)) * std::uint64_t(layer.frames) >> 32);
+    const Curve curve = curve_of(keys, at);
+    const std::uint32_t framed = scene_.shapes ? s.key[0] : std::uint32_t(i);
+    const auto frame =
+        std::uint32_t(std::uint64_t(std::uint32_t(framed * 2654435761u)) * std::uint64_t(layer.frames) >> 32);
     const std::uint32_t colour = std::uint32_t(s.colour[0]) | std::uint32_t(s.colour[1]) << 8 |
                                  std::uint32_t(s.colour[2]) << 16 |
                                  (std::uint32_t(layer.first_frame) + frame) << 24;
-    const glm::vec3 to_eye = c.eye - curve.point[0];
+    const glm::vec3 to_eye = c.eye - curve.root;
     const float facing = glm::dot(curve.normal, to_eye);
     const bool away = facing < 0 && facing * facing > 0.0625f * glm::dot(to_eye, to_eye);
     const bool removed = away && scene_.look.back_facing == BackFacing::removed;
@@ -162,7 +190,7 @@ void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {
       for (std::size_t k = 0; k < 3; ++k) r.view[k] = in_view(c.row_x, c.row_y, c.row_w, curve.point[k]);
       r.radius = 0.5f * s.width / c.pixel;
       r.colour = colour;
-      keys_[at] = key_of(r, layer.rank, away);
+      keys_[at] = key_of(r, scene_.shapes ? records_.shape[at].width_end : 1, layer.rank, away);
       if (lights_ && keys_[at] != not_drawn) set_light(curve, s, at);
     }
     if (!map_) continue;
@@ -208,11 +236,13 @@ const Records& HostStrands::back_to_front() {
   const auto count = std::int64_t(entries_.size());
   sorted_.strand.resize(entries_.size());
   if (lights_) sorted_.light.resize(entries_.size());
+  if (scene_.shapes) sorted_.shape.resize(entries_.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t i = 0; i < count; ++i) {
     const std::uint32_t strand = entries_[std::size_t(count - 1 - i)].strand;
     sorted_.strand[std::size_t(i)] = records_.strand[strand];
     if (lights_) sorted_.light[std::size_t(i)] = records_.light[strand];
+    if (scene_.shapes) sorted_.shape[std::size_t(i)] = records_.shape[strand];
   }
   return sorted_;
 }

@@ -26,11 +26,18 @@ struct LightRecord {
   float tip_height = 0;  ///< of the tip above the skin, in heights of the skin's shadow
 };
 
+/// The part of a strand of a file (StrandShape).
+struct ShapeRecord {
+  float from = 0, to = 1, width_end = 1;
+  float root_height = 0;  ///< of the start above the skin, in heights of the skin's shadow
+};
+
 /// The strands of a picture or of an opacity map. `light` is empty in an opacity map, and if the look has a
-/// key light and ambient light only.
+/// key light and ambient light only. `shape` is empty if the strands have no shapes.
 struct Records {
   std::vector<StrandRecord> strand;
   std::vector<LightRecord> light;
+  std::vector<ShapeRecord> shape;
 };
 
 class HostStrands {
@@ -49,9 +56,9 @@ class HostStrands {
     std::uint32_t key, strand;
   };
   struct Curve;
-  Curve curve_of(const std::vector<KeyStrand>& keys, const KeyedStrand& strand) const;
+  Curve curve_of(const std::vector<KeyStrand>& keys, std::size_t strand) const;
   void set_light(const Curve& curve, const KeyedStrand& strand, std::size_t at);
-  std::uint32_t key_of(const StrandRecord& record, int rank, bool away) const;
+  std::uint32_t key_of(const StrandRecord& record, float width_end, int rank, bool away) const;
   void sort();
 
   DrawingScene scene_;

@@ -47,12 +47,14 @@ void need_complete(const gl::Object& framebuffer, const char* what) {
 
 }  // namespace
 
-Strips::Strips(std::size_t strands, int segments, bool instanced, bool lights)
+Strips::Strips(std::size_t strands, int segments, bool instanced, bool lights, bool shapes)
     : segments_(segments),
       instanced_(instanced),
       lights_(lights),
+      shapes_(shapes),
       records_(room_for<StrandRecord>(strands)),
       light_(room_for<LightRecord>(lights ? strands : 1)),
+      shape_(room_for<ShapeRecord>(shapes ? strands : 1)),
       indices_(gl::make_buffer(instanced ? std::vector<GLuint>(1) : triangles_of(strands, segments))),
       arrays_(gl::make_vertex_array()) {
   const GLuint array = arrays_.id();
@@ -69,9 +71,10 @@ Strips::Strips(std::size_t strands, int segments, bool instanced, bool lights)
       glVertexArrayAttribBinding(array, first + i, buffer);
     }
   };
-  static_assert(sizeof(StrandRecord) == 48 && sizeof(LightRecord) == 16);
+  static_assert(sizeof(StrandRecord) == 48 && sizeof(LightRecord) == 16 && sizeof(ShapeRecord) == 16);
   attributes(0, records_, 0, 3);
   if (lights) attributes(1, light_, 3, 1);
+  if (shapes) attributes(2, shape_, 4, 1);
 }
 
 void Strips::draw(const Records& records) const {
@@ -82,6 +85,7 @@ void Strips::draw(const Records& records) const {
   };
   upload(records_, records.strand);
   if (lights_) upload(light_, records.light);
+  if (shapes_) upload(shape_, records.shape);
   glBindVertexArray(arrays_.id());
   if (instanced_) {
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * segments_ + 2, count);
@@ -89,13 +93,14 @@ void Strips::draw(const Records& records) const {
   }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, records_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, light_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, shape_.id());
   glDrawElements(GL_TRIANGLES, count * segments_ * 6, GL_UNSIGNED_INT, nullptr);
 }
 
 OpacityPass::OpacityPass(const DrawingScene& scene, std::size_t strands, bool instanced)
     : size_(scene.look.shadow.size),
       program_(map_program(scene, instanced)),
-      strips_(strands, scene.look.segments, instanced, false),
+      strips_(strands, scene.look.segments, instanced, false, scene.shapes != nullptr),
       least_(texture_of(GL_R32F, size_, size_)),
       sums_(texture_of(GL_RGBA32F, size_, size_)),
       framebuffer_(gl::make_framebuffer()) {

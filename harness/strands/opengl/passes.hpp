@@ -13,14 +13,14 @@ namespace pelage::strands {
 /// The strips of up to `strands` strands. With the program of shaders.hpp, draw() uploads and draws them.
 class Strips {
  public:
-  /// `lights`: has_lights() of the look.
-  Strips(std::size_t strands, int segments, bool instanced, bool lights);
+  /// `lights`: has_lights() of the look. `shapes`: the strands have shapes.
+  Strips(std::size_t strands, int segments, bool instanced, bool lights, bool shapes);
   void draw(const Records& records) const;
 
  private:
   int segments_;
-  bool instanced_, lights_;
-  gl::Object records_, light_, indices_, arrays_;
+  bool instanced_, lights_, shapes_;
+  gl::Object records_, light_, shape_, indices_, arrays_;
 };
 
 /// The opacity map of the key light. The textures 0 and 1 have the map after draw();

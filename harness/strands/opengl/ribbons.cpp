@@ -61,7 +61,7 @@ struct Ribbons::State {
         host(from, strands),
         instanced(is_instanced(options)),
         program(strand_program(from, instanced)),
-        strips(strands.size(), from.look.segments, instanced, has_lights(from.look)),
+        strips(strands.size(), from.look.segments, instanced, has_lights(from.look), from.shapes != nullptr),
         film(gl::make_buffer(film_of(from.look))),
         target(options.target, from.camera.width, from.camera.height, false) {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // the depth is near / w, from 0 to 1

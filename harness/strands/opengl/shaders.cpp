@@ -40,7 +40,10 @@ std::string strip_constants(const DrawingScene& scene, glm::vec3 light, bool own
          (has_lights(look)
               ? "#define LIGHTS\nlayout(std430, binding = 2) readonly buffer Film { vec4 film[]; };\n"
               : "") +
-         (has_layer_looks(look) ? "#define LAYERS\n" : "");
+         (has_layer_looks(look) ? "#define LAYERS\n" : "") +
+         (scene.shapes
+              ? fmt::format("#define SHAPES\nconst int STRAND_SEGMENTS = {};\n", look.strand_segments)
+              : "");
 }
 
 std::string shadow_text(const DrawingScene& scene) {

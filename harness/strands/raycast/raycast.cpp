@@ -97,12 +97,12 @@ class Rays {
         geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, strands.size() * cones));
     if (!vertex || !index || !flags) throw DeviceError("Embree has too little memory for the strands");
     for (std::size_t s = 0; s < strands.size(); ++s) {
-      const float taper = of.taper(std::uint32_t(s));
       for (std::size_t k = 0; k <= cones; ++k) {
         const float t = float(k) / float(cones);
         const glm::vec3 p = bezier(strands[s], t);
         float* v = vertex + 4 * (s * (cones + 1) + k);
-        v[0] = p.x, v[1] = p.y, v[2] = p.z, v[3] = 0.5f * strands[s].width * (1 - taper * t);
+        v[0] = p.x, v[1] = p.y, v[2] = p.z,
+        v[3] = of.radius ? of.radius(std::uint32_t(s), t) : 0.5f * strands[s].width;
         if (k == cones) continue;
         index[s * cones + k] = unsigned(s * (cones + 1) + k);
         flags[s * cones + k] = static_cast<unsigned char>(
@@ -138,14 +138,31 @@ class Rays {
   RTCScene scene_;
 };
 
+/// A place on a strand. The curves of a strand of a file have places on one strand.
+struct Place {
+  std::uint32_t strand;
+  float s;     ///< from 0 (root) to 1 (tip)
+  float cone;  ///< part of the strand that one cone covers
+};
+
+Place place_of(const Entered& e, const std::vector<DrawnStrand>& strands, int cones) {
+  const std::optional<StrandPart>& part = strands[e.strand].part;
+  if (!part) return {e.strand, e.t, 1 / float(cones)};
+  const float share = part->to - part->from;
+  return {part->strand, part->from + share * e.t, share / float(cones)};
+}
+
 /// Removes entries into a strand that the ray has entered just before: neighbouring cones share a sphere, so
 /// the ray may enter both.
 void merge_neighbours(std::vector<Entered>& entered, const std::vector<DrawnStrand>& strands, int cones) {
   std::vector<Entered> kept;
   for (const Entered& e : entered) {
+    const Place at = place_of(e, strands, cones);
     const bool again = std::any_of(kept.rbegin(), kept.rend(), [&](const Entered& k) {
-      return k.strand == e.strand && std::abs(k.t - e.t) < 1.5f / float(cones) &&
-             e.distance - k.distance < 2 * strands[e.strand].width;
+      const Place before = place_of(k, strands, cones);
+      return before.strand == at.strand &&
+             std::abs(before.s - at.s) < 1.5f * std::max(before.cone, at.cone) &&
+             e.distance - k.distance < 2 * std::max(strands[e.strand].width, strands[k.strand].width);
     });
     if (!again) kept.push_back(e);
   }

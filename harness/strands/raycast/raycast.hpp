@@ -20,8 +20,9 @@ struct Paint {
 struct RaycastScene {
   Camera camera;
   glm::vec3 background{0};
-  /// Returns the part of its width, 0 to 1, that a strand loses from root to tip.
-  std::function<float(std::uint32_t strand)> taper = [](std::uint32_t) { return 0.0f; };
+  /// Returns half of the width of a strand at the parameter t of its curve, R; empty: half of
+  /// DrawnStrand::width everywhere.
+  std::function<float(std::uint32_t strand, float t)> radius;
   /// Returns the paint of the strand with the index `strand` at the parameter t of its curve, 0 at the root
   /// and 1 at the tip.
   std::function<Paint(std::uint32_t strand, float t)> strand_paint;

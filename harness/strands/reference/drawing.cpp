@@ -53,16 +53,17 @@ std::optional<Part> visible_part(const Curve& view, double near, int segments) {
   return Part{crossing(view, near, (k + 1) / segments, k / segments), 1};
 }
 
-/// The number of segments of a strand: the least n from 3 for which |P0 - 2 P1 + P2| / (4 n^2), at the
-/// nearest control point, is at most 1/4 pixel; look.segments at most.
-int segments_of(const Camera& camera, const Look& look, const Curve& view) {
+/// The number of segments of a strand with look.own_segments: the least n from 3 for which |P0 - 2 P1 + P2| /
+/// (4 n^2), at the nearest control point, is at most 1/4 pixel; look.segments at most.
+int segments_of(const Camera& camera, const Look& look, const DrawnStrand& strand, const Curve& view) {
   const double nearest = std::min({view.p[0].z, view.p[1].z, view.p[2].z});
-  if (!look.own_segments || nearest < double(camera.near)) return look.segments;
+  if (!look.own_segments) return least_segments(look, strand);
+  if (nearest < double(camera.near)) return look.segments;
   Vec bend = view.p[0] - 2.0 * view.p[1] + view.p[2];
   bend.x *= double(camera.pixel);
   bend.y *= double(camera.pixel);
   const double pixels = glm::length(bend) / (nearest * double(camera.pixel));
-  int n = 3;
+  int n = strand.part ? least_segments(look, strand) : 3;
   while (n < look.segments && pixels / (4 * n * n) > 0.25) ++n;
   return std::min(n, look.segments);
 }
@@ -124,6 +125,12 @@ Film film_at(const Look& look, const DrawnStrand& drawn, std::uint32_t strand, d
           double(own.opacity) * between(&FilmSample::opacity) / 255};
 }
 
+/// The parameter of the strand, from 0 (root) to 1 (tip), at the parameter t of its curve.
+double on_strand(const DrawnStrand& strand, double t) {
+  if (!strand.part) return t;
+  return double(strand.part->from) + t * (double(strand.part->to) - double(strand.part->from));
+}
+
 Curve curve_of(const DrawnStrand& strand) {
   Curve curve;
   for (std::size_t i = 0; i < 3; ++i) curve.p[i] = Vec(strand.point[i]);
@@ -144,7 +151,10 @@ class StrandLight {
               Vec(look.rim) * Vec(own.rim) *
                   std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye_))),
                            double(look.rim_exponent) * double(own.rim_exponent));
-    length_ = glm::distance(curve_.p[0], curve_.p[1]) + glm::distance(curve_.p[1], curve_.p[2]);
+    root_ = strand.part ? Vec(strand.part->root) : curve_.p[0];
+    length_ = strand.part ? double(strand.part->length)
+                          : glm::distance(curve_.p[0], curve_.p[1]) + glm::distance(curve_.p[1], curve_.p[2]);
+    if (strand.part) number_ = strand.part->strand;
   }
 
   /// Returns the colour at the parameter t. `lit` is the part of the key light that reaches this place.
@@ -153,9 +163,9 @@ class StrandLight {
     // Where the curve turns back on itself, its derivative is zero. The tangent is then that of the root.
     const Vec tangent = glm::length(slope) < glm::length(start) / 1024 ? start : slope;
     const double length = glm::length(tangent), key = double(look_.intensity) * lit;
-    const Film film = film_at(look_, strand_, number_, t);
+    const Film film = film_at(look_, strand_, number_, on_strand(strand_, t));
     const glm::dvec2 light = hair_light(look_, exponent_, length > 0 ? tangent / length : Vec(0), from_eye_);
-    const double height = std::max(0.0, glm::dot(Vec(strand_.normal), curve_.at(t) - curve_.p[0]));
+    const double height = std::max(0.0, glm::dot(Vec(strand_.normal), curve_.at(t) - root_));
     const double shadow =
         1 - skin_shadow_ * (1 - std::min(1.0, height / (double(look_.skin_shadow_height) * length_)));
     return shadow * film.luminance *
@@ -167,7 +177,7 @@ class StrandLight {
   const DrawnStrand& strand_;
   std::uint32_t number_;
   Curve curve_;
-  Vec from_eye_{0}, steady_{0};
+  Vec from_eye_{0}, steady_{0}, root_{0};
   double length_ = 0, exponent_ = 1, skin_shadow_ = 0;
 };
 
@@ -182,7 +192,7 @@ std::vector<Vertex> vertices_of(const Camera& camera, const Look& look,
   const Curve object = curve_of(strand);
   Curve view;
   for (std::size_t i = 0; i < 3; ++i) view.p[i] = in_view(camera, strand.point[i]);
-  const int segments = segments_of(camera, look, view);
+  const int segments = segments_of(camera, look, strand, view);
   const std::optional<Part> part = visible_part(view, camera.near, segments);
   if (!part) return {};
   const StrandLight light(camera, look, strand, number);
@@ -260,7 +270,9 @@ float times(glm::vec4 row, glm::vec3 p) {
 /// one side of the picture. `row` is the row of the projection of one axis, and `size` the picture's size
 /// along this axis.
 bool beyond_side(const Camera& camera, const DrawnStrand& strand, glm::vec4 row, int size) {
-  const float wide = 1.5f * (strand.width * (0.5f / camera.pixel)), extent = 0.5f * float(size) + 1.0f;
+  const float grown = strand.part ? std::max(strand.part->width_end, 1.0f) : 1.0f;
+  const float wide = 1.5f * (strand.width * (0.5f / camera.pixel) * grown),
+              extent = 0.5f * float(size) + 1.0f;
   bool above = true, below = true;
   for (const glm::vec3& point : strand.point) {
     const float depth = times(camera.row_w, point), place = times(row, point);
@@ -286,12 +298,20 @@ Vec fill_light(const Look& look, Vec n) {
   return glm::max(sum, Vec(0));
 }
 
+int least_segments(const Look& look, const DrawnStrand& strand) {
+  return strand.part ? segments_of_part(look, strand.part->from, strand.part->to) : look.segments;
+}
+
 double half_width(const Look& look, const DrawnStrand& strand, double t) {
-  return 0.5 * double(strand.width) * (1 - double(look.taper) * double(own_look(look, strand).taper) * t);
+  const double of_part = strand.part ? 1 + t * (double(strand.part->width_end) - 1) : 1;
+  return 0.5 * double(strand.width) * of_part *
+         (1 - double(look.taper) * double(own_look(look, strand).taper) * on_strand(strand, t));
 }
 
 double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t) {
-  return double(look.opacity) * film_at(look, strand, number, t).opacity * (1 - t * t * t);
+  if (strand.part) number = strand.part->strand;
+  const double s = on_strand(strand, t);
+  return double(look.opacity) * film_at(look, strand, number, s).opacity * (1 - s * s * s);
 }
 
 std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, const Look& look) {
@@ -313,7 +333,7 @@ std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
   std::vector<Entry> order;
   for (std::uint32_t i = 0; i < strands.size(); ++i) {
     const DrawnStrand& strand = strands[i];
-    const glm::vec3 to_eye = camera.eye - strand.point[0];
+    const glm::vec3 to_eye = camera.eye - (strand.part ? strand.part->root : strand.point[0]);
     const float facing = dot_f(strand.normal, to_eye);
     const bool away = facing < 0 && facing * facing > 0.0625f * dot_f(to_eye, to_eye);
     if (away && back != BackFacing::drawn) continue;

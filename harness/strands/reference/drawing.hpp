@@ -26,6 +26,15 @@ namespace pelage::strands::reference {
 DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment,
                     double* magnified = nullptr);
 
+/// The same for a curve of a strand of a file (docs/grooms.md, section "Motion"). `*magnified` also grows
+/// with the length of the strand above 1 R, and with the offsets, most where a segment turns by nearly 180
+/// degrees.
+DrawnStrand shaped(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, const StrandShape& shape,
+                   float first_segment, double* magnified = nullptr);
+
+/// Returns the number of segments of a curve that does not choose it by its bend.
+int least_segments(const Look& look, const DrawnStrand& strand);
+
 /// Returns half of the width of a strand at the parameter t of its curve, R.
 double half_width(const Look& look, const DrawnStrand& strand, double t);
 

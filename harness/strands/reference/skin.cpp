@@ -104,13 +104,16 @@ glm::dvec3 in_light(const LightView& view, glm::dvec3 point) {
 LightColumns light_columns(const Look& look, const LightView& view, const std::vector<DrawnStrand>& strands) {
   const auto size = std::size_t(view.size);
   LightColumns columns(size * size);
+  Look fixed = look;
+  fixed.own_segments = false;  // which depends on the camera
   for (std::uint32_t i = 0; i < strands.size(); ++i) {
     const DrawnStrand& strand = strands[i];
     Curve curve;
     for (std::size_t k = 0; k < 3; ++k) curve.p[k] = in_light(view, glm::dvec3(strand.point[k]));
     std::vector<Vertex> vertices;
-    for (int k = 0; k <= look.segments; ++k) {
-      const double t = double(k) / look.segments;
+    const int segments = least_segments(fixed, strand);
+    for (int k = 0; k <= segments; ++k) {
+      const double t = double(k) / segments;
       Vertex vertex;
       vertex.place = glm::dvec2(curve.at(t)) + 0.5 * double(view.size);
       vertex.half = half_width(look, strand, t) / double(view.texel);

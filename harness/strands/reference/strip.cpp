@@ -79,10 +79,13 @@ Vec rotated(Vec v, Vec axis, float degrees) {
   return along + std::cos(angle) * (v - along) + std::sin(angle) * glm::cross(axis, v);
 }
 
-}  // namespace
+/// A strand without its control points: root, normal of the skin, and directions of the two segments.
+struct Bent {
+  Vec root, n, u, w;
+  double magnified;  ///< see between()
+};
 
-DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment,
-                    double* magnified) {
+Bent bent(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment) {
   const double s = strand.weight.x, t = strand.weight.y;
   const auto mean = [&](glm::vec3 KeyStrand::*vector) {
     return (1 - s - t) * Vec(keys[strand.key[0]].*vector) + s * Vec(keys[strand.key[1]].*vector) +
@@ -106,15 +109,63 @@ DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& stran
     factor /= glm::length(w - glm::dot(w, n) * n);
     w = sine * n + std::cos(std::asin(sine)) * along_plane(w, n);
   }
-  if (magnified) *magnified = factor;
+  return {root, n, u, w, factor};
+}
+
+/// Returns v, rotated by the rotation with the smallest angle from the unit vector `from` to the unit vector
+/// `to`. Near 180 degrees, where it is not defined, the result is shorter (docs/grooms.md).
+Vec carried(Vec v, Vec from, Vec to) {
+  const double cosine = glm::dot(from, to);
+  const Vec axis = glm::cross(from, to);
+  return cosine * v + glm::dot(axis, v) / std::max(1 + cosine, 1.0 / 1024) * axis + glm::cross(axis, v);
+}
+
+/// The attributes of a strand without its control points.
+DrawnStrand attributes_of(const KeyedStrand& strand, Vec normal) {
   DrawnStrand drawn;
-  const Vec joint = root + l1 * double(strand.length) * u;
-  drawn.point = {glm::vec3(root), glm::vec3(joint), glm::vec3(joint + l2 * double(strand.length) * w)};
-  drawn.normal = glm::vec3(n);
+  drawn.normal = glm::vec3(normal);
   drawn.colour = glm::vec3(strand.colour[0], strand.colour[1], strand.colour[2]) / 255.0f;
   drawn.width = strand.width;
   drawn.layer = drawn.rank = strand.layer;
   return drawn;
+}
+
+}  // namespace
+
+DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment,
+                    double* magnified) {
+  const Bent b = bent(keys, strand, first_segment);
+  if (magnified) *magnified = b.magnified;
+  DrawnStrand drawn = attributes_of(strand, b.n);
+  const double l1 = first_segment, length = strand.length;
+  const Vec joint = b.root + l1 * length * b.u;
+  drawn.point = {glm::vec3(b.root), glm::vec3(joint), glm::vec3(joint + (1 - l1) * length * b.w)};
+  return drawn;
+}
+
+DrawnStrand shaped(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, const StrandShape& shape,
+                   float first_segment, double* magnified) {
+  const Bent b = bent(keys, strand, first_segment);
+  const Vec rest = glm::normalize(Vec(keys[strand.key[0]].rest));
+  const double l1 = first_segment, length = strand.length;
+  const Vec joint = b.root + l1 * length * b.u, tip = joint + (1 - l1) * length * b.w;
+  const std::array<double, 3> place{double(shape.from), double(shape.middle()), double(shape.to)};
+  DrawnStrand curve = attributes_of(strand, b.n);
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double s = place[i];
+    const Vec on = (1 - s) * (1 - s) * b.root + 2 * s * (1 - s) * joint + s * s * tip,
+              offset(shape.offset[i]);
+    curve.point[i] = glm::vec3(on + (1 - s) * carried(offset, rest, b.u) + s * carried(offset, rest, b.w));
+    largest = std::max(largest, glm::length(offset));
+  }
+  curve.part =
+      StrandPart{shape.from, shape.to, shape.width_end, glm::vec3(b.root), strand.length, strand.key[0]};
+  if (magnified) {
+    const double least = 1 + std::min(glm::dot(rest, b.u), glm::dot(rest, b.w));
+    *magnified = b.magnified * std::max(1.0, length) + 16 * largest / std::max(least, 1.0 / 1024);
+  }
+  return curve;
 }
 
 }  // namespace pelage::strands::reference

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
@@ -17,17 +18,31 @@ namespace {
 
 /// Lengths of the strands, R.
 struct Lengths {
-  float longest = 0, mean = 0;
+  float longest = 0;  ///< no point of a strand is further from its root
+  float mean = 0;
 };
 
-Lengths lengths_of(const Fur& fur) {
+/// Returns the strands; of strands of a file, the curves at the roots, one of each.
+std::vector<KeyedStrand> at_roots(const Fur& fur) {
+  if (!fur.shapes) return fur.strands;
+  std::vector<KeyedStrand> roots;
+  for (std::size_t i = 0; i < fur.strands.size(); ++i)
+    if ((*fur.shapes)[i].from == 0) roots.push_back(fur.strands[i]);
+  return roots;
+}
+
+Lengths lengths_of(const Fur& fur, const std::vector<KeyedStrand>& roots) {
   float longest = 0;
   double sum = 0;
-  for (const KeyedStrand& s : fur.strands) {
-    longest = std::max(longest, s.length);
-    sum += double(s.length);
+  for (std::size_t i = 0; i < fur.strands.size(); ++i) {
+    const float length = fur.strands[i].length;
+    float offset = 0;
+    if (fur.shapes)
+      for (const glm::vec3& o : (*fur.shapes)[i].offset) offset = std::max(offset, glm::length(o));
+    longest = std::max(longest, length + offset);
   }
-  return {longest, float(sum / double(fur.strands.size()))};
+  for (const KeyedStrand& root : roots) sum += double(root.length);
+  return {longest, float(sum / double(roots.size()))};
 }
 
 /// Returns the greatest distance of a surface point from the origin in any frame of the mesh, R. The result
@@ -51,19 +66,34 @@ void check_frames(const Scene& scene) {
         "strands.chain.collision: \"body\" needs a mesh that does not deform, but mesh.frames is above 1; give \"plane\"");
 }
 
+/// Divides the segments of a strand of a file among its curves.
+void divide_segments(StrandInput& input) {
+  Look& look = input.look;
+  look.strand_segments = look.segments;
+  if (look.own_segments) return;
+  int most = 1;
+  for (const StrandShape& s : *input.shapes) most = std::max(most, segments_of_part(look, s.from, s.to));
+  look.segments = most;
+}
+
 /// Sets the camera, the look and the depth range of the scene. The other members of `input` are known.
 void set_view(StrandInput& input) {
   const Scene& scene = input.scene;
   const Mesh& mesh = *input.mesh;
   input.look = look_of(scene);
   input.look.film = input.fur.film;
-  const auto [length, mean_length] = lengths_of(input.fur);
+  if (mesh.strands && !mesh.strands->lines.width.empty()) input.look.taper = 0;  // the file has its own
+  const std::vector<KeyedStrand> roots = at_roots(input.fur);
+  const auto [length, mean_length] = lengths_of(input.fur, roots);
   input.look.shadow = {shadow_named(scene.strands.shadow), scene.strands.shadow_size, mean_length,
                        reach_of(mesh) + length};
   std::vector<glm::vec3> extent(mesh.position.begin(), mesh.position.end());
   for (const std::vector<glm::vec3>& frame : mesh.frames)
     extent.insert(extent.end(), frame.begin(), frame.end());
-  for (const KeyStrand& key : input.fur.keys) extent.push_back(key.root + length * key.rest);
+  if (mesh.strands)
+    extent.insert(extent.end(), mesh.strands->lines.point.begin(), mesh.strands->lines.point.end());
+  else
+    for (const KeyStrand& key : input.fur.keys) extent.push_back(key.root + length * key.rest);
   input.camera = make_camera(scene.camera, scene.image, extent, mesh.frames.empty() ? 0 : length);
   std::vector<float> biases;
   std::vector<int> offsets;
@@ -78,12 +108,13 @@ void set_view(StrandInput& input) {
     input.look.layers[i].rank = ranks[i];
   }
   input.range = depth_range(input.camera, reach_of(mesh) + length);
-  const Spread spread = spread_of(input.fur.strands, mesh);
+  const Spread spread = spread_of(roots, mesh);
   input.look.fraction =
       std::min(input.look.fraction, fraction_on_screen(input.camera, spread, scene.strands.least_width));
   input.look.width_factor = overlap_factor(input.camera, input.look, spread);
   if (scene.strands.subdivision == "screen")
     input.look.segments = segments_on_screen(input.camera, input.range, length, scene.strands.segments);
+  if (input.shapes) divide_segments(input);
 }
 
 }  // namespace
@@ -172,6 +203,13 @@ ChainDynamics chain_dynamics(const Scene& scene) {
 
 namespace {
 
+CoatTexture plain_coat(glm::vec3 colour) {
+  const auto byte = [](float value) {
+    return std::uint8_t(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+  };
+  return {1, {{byte(colour.x), byte(colour.y), byte(colour.z), 255}}};
+}
+
 /// Throws InputError if colliders and strands would move in different frames.
 void check_contact(const Scene& scene, const Mesh& mesh) {
   if (!has_contact(scene.contact)) return;
@@ -185,16 +223,19 @@ void check_contact(const Scene& scene, const Mesh& mesh) {
 }  // namespace
 
 std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
-  if (!mesh || mesh->triangle.empty())
+  if (!mesh || (mesh->triangle.empty() && !mesh->strands))
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   if (!mesh->frames.empty()) check_frames(scene);
   check_contact(scene, *mesh);
   auto input = std::make_shared<StrandInput>();
   input->scene = scene;
   input->contact_fields = contact_fields(scene.contact.mesh);
-  const CoatTexture coat = kept_coat(*mesh, scene.coat);
-  input->fur = kept_fur(*mesh, scene.strands, coat);
-  if (scene.strands.skin)
+  const bool bare = mesh->triangle.empty();  // strands of a file without a mesh
+  const CoatTexture coat = bare ? plain_coat(scene.coat.colour) : kept_coat(*mesh, scene.coat);
+  input->fur =
+      mesh->strands ? fur_of_file(*mesh->strands, scene.strands, coat) : kept_fur(*mesh, scene.strands, coat);
+  input->shapes = input->fur.shapes;
+  if (scene.strands.skin && !bare)
     input->skin = std::make_shared<SkinSurface>(skin_surface(*mesh, coat, scene.coat.skin));
   input->dynamics = chain_dynamics(scene);
   input->first_segment = input->dynamics.first_segment;
@@ -213,7 +254,9 @@ std::shared_ptr<const StrandInput> with_view(const StrandInput& input, const Sce
 }
 
 bool is_view_key(std::string_view key) {
-  if (key.starts_with("strands.")) return key != "strands.skin" && !key.starts_with("strands.chain.");
+  if (key.starts_with("strands."))
+    return key != "strands.skin" && !key.starts_with("strands.chain.") && key != "strands.groom" &&
+           !key.starts_with("strands.file");
   return key.starts_with("camera.") || key.starts_with("shading.") || key == "image.background";
 }
 

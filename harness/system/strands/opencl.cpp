@@ -36,7 +36,9 @@ class StrandsOnDevice : public OnDevice<StrandInput, Strands, DrawerOptions> {
     return checks;
   }
   void describe(Description& row) override {
-    row.metrics["strands"] = {double(input_->fur.strands.size()), "strands"};
+    // A strand of a file is its own key strand, and is drawn as one or more curves.
+    const std::size_t counted = input_->shapes ? input_->fur.keys.size() : input_->fur.strands.size();
+    row.metrics["strands"] = {double(counted), "strands"};
     row.metrics["key_strands"] = {double(input_->fur.keys.size()), "strands"};
     row.metrics["drawn_strands"] = {double(drawn_), "strands"};
     row.metrics["covered_fragments"] = {fragments_, "fragments"};

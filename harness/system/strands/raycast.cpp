@@ -46,8 +46,8 @@ RaycastResult raycast_strands(const StrandInput& input) {
   RaycastScene cast;
   cast.camera = input.camera;
   cast.background = look.background;
-  cast.taper = [&](std::uint32_t strand) {
-    return look.taper * layer_look(look, curves[strand].layer).taper;
+  cast.radius = [&](std::uint32_t strand, float t) {
+    return float(reference::half_width(look, curves[strand], double(t)));
   };
   cast.strand_paint = [&](std::uint32_t strand, float t) -> Paint {
     const DrawnStrand& drawn = curves[strand];

@@ -1,7 +1,7 @@
 // Computes the strands of a frame: interpolates them between the key strands, projects them, and lists those that are
 // drawn, with their sort keys. A work-item computes one run of consecutive strands. The list of run r begins at
 // pair[r * capacity] and has live[r] entries (key, strand), in the order of the strands. For each strand that is drawn, the
-// kernel also writes a row of STRAND_ROW floats and the blocks of pixels that the strand may touch.
+// kernel also writes a row of ROW_FLOATS floats and the blocks of pixels that the strand may touch.
 #define STRAND_MAP p->is_map
 #include "common/powers.clh"
 #include "common/slices.clh"
@@ -26,7 +26,7 @@ INLINE Key load_key(TABLE(float) keys, whole index) {
   k.normal = vec3(a.w, b.x, b.y);
   k.u = vec3(b.z, b.w, c.x);
   k.w = vec3(c.y, c.z, c.w);
-#if STRAND_STYLES
+#if STRAND_STYLES || STRAND_SHAPES
   real4 d = gather_rows(keys, 4 * index + 3);
   k.rest = vec3(d.x, d.y, d.z);
 #endif
@@ -39,6 +39,13 @@ INLINE real drawn_value(TABLE(scalar) strands, int u, int column) {
 INLINE whole drawn_bits(TABLE(scalar) strands, int u, int column) {
   return bits_as_whole(drawn_value(strands, u, column));
 }
+
+#if STRAND_SHAPES
+// Returns a control point of a curve of a strand of a file. point: 0, 1 or 2.
+INLINE real3 control_point(TABLE(scalar) shapes, int u, Curve strand, Key k, int point, real s) {
+  return shaped_point(strand, k, s, load3(shapes, u, SHAPE_COLUMNS, SHAPE_OFFSET + 3 * point));
+}
+#endif
 
 #if STRAND_STYLES
 INLINE Turn drawn_turn(TABLE(scalar) strands, int u, int column) {
@@ -127,23 +134,36 @@ INLINE whole film_frame(TABLE(int) layers, whole layer, whole strand) {
 }
 #endif
 
-CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
-                        __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves, int run) {
+CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TABLE(scalar) shapes, TABLE(float) keys,
+                        TABLE(int) layers, __global float *row, __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves, int run) {
   if (run >= p->runs) return;
   int first = run * p->units_per_run, last = min(first + p->units_per_run, p->units);
   __global uint2 *out = pair + (size_t)run * p->capacity;    // in a map, the lists of the runs have no gaps
   int listed = 0;
   for (int u = first; u < last; ++u) {
-    Key a = load_key(keys, drawn_bits(strands, u, DRAWN_KEY)), b = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 1));
-    Key c = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 2));
+    Key a = load_key(keys, drawn_bits(strands, u, DRAWN_KEY));
     if (u + UNITS_AHEAD < last) read_unit_soon(strands, u + UNITS_AHEAD);
     if (u + 1 < last)
-      for (int k = 0; k < 3; ++k) read_soon(keys, KEY_RECORD * drawn_bits(strands, u + 1, DRAWN_KEY + k));
+      for (int k = 0; k < (STRAND_SHAPES ? 1 : 3); ++k) read_soon(keys, KEY_RECORD * drawn_bits(strands, u + 1, DRAWN_KEY + k));
+#if STRAND_SHAPES
+    Key key = a;
+#else
+    Key b = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 1)), c = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 2));
     Key key = between_keys(a, b, c, drawn_value(strands, u, DRAWN_WEIGHT), drawn_value(strands, u, DRAWN_WEIGHT + 1));
+#endif
 #if STRAND_STYLES
     key = styled(key, drawn_value(strands, u, DRAWN_RESPONSE), drawn_turn(strands, u, DRAWN_TWIST), drawn_turn(strands, u, DRAWN_CURVATURE));
 #endif
-    Curve curve = curve_of(above_skin(key, p->slope), drawn_value(strands, u, DRAWN_LENGTH), p->first_segment);
+    key = above_skin(key, p->slope);
+    Curve curve = curve_of(key, drawn_value(strands, u, DRAWN_LENGTH), p->first_segment);
+#if STRAND_SHAPES
+    real from = load_real(shapes, column_of(u, SHAPE_COLUMNS, SHAPE_FROM));
+    real to = load_real(shapes, column_of(u, SHAPE_COLUMNS, SHAPE_TO));
+    Curve strand = curve;
+    curve.root = control_point(shapes, u, strand, key, 0, from);
+    curve.joint = control_point(shapes, u, strand, key, 1, 0.5f * (from + to));
+    curve.tip = control_point(shapes, u, strand, key, 2, to);
+#endif
     if (p->keep_curves) store_curve(curve, curves, u);
 
     whole number = u * LANES + lane_numbers();
@@ -151,9 +171,15 @@ CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TAB
     real3 depth = vec3(root.z, joint.z, tip.z);
     real fade = lesser(to_real(WHOLE(p->strands) - number) * REAL(p->per_fade), REAL(1.0f));
     real radius = drawn_value(strands, u, DRAWN_WIDTH) * (p->widen * fade) * REAL(p->half_per_width);
+#if STRAND_SHAPES
+    real width_end = load_real(shapes, column_of(u, SHAPE_COLUMNS, SHAPE_WIDTH_END));
+    real widest = radius * greater(width_end, REAL(1.0f));
+#else
+    real widest = radius;
+#endif
     truth drawn = number < WHOLE(p->strands);
-    truth back = faces_away(curve.normal, sub3(uniform3(p->eye[0], p->eye[1], p->eye[2]), curve.root));
-    if (!p->is_map) drawn = drawn && in_picture(p, root, joint, tip, depth, 1.5f * radius);    // all strands cast a shadow
+    truth back = faces_away(curve.normal, sub3(uniform3(p->eye[0], p->eye[1], p->eye[2]), key.root));
+    if (!p->is_map) drawn = drawn && in_picture(p, root, joint, tip, depth, 1.5f * widest);    // all strands cast a shadow
     if (!p->is_map && p->back_facing == BACK_REMOVED) drawn = drawn && !back;
     if (!some(drawn)) continue;
 
@@ -164,9 +190,11 @@ CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TAB
 #if STRAND_LIGHTS
     real3 steady = steady_light(p, layers, layer, curve, vec3(colour_byte(colour, 0), colour_byte(colour, 1), colour_byte(colour, 2)));
     real scale = 1.0f / (p->skin_shadow_height * drawn_value(strands, u, DRAWN_LENGTH));
-    real joint_height = dot3(curve.normal, sub3(curve.joint, curve.root)) * scale;
-    real tip_height = dot3(curve.normal, sub3(curve.tip, curve.root)) * scale;
-    colour = (colour & 0xffffff) | (film_frame(layers, layer, number) << 24);
+    real joint_height = dot3(curve.normal, sub3(curve.joint, key.root)) * scale;
+    real tip_height = dot3(curve.normal, sub3(curve.tip, key.root)) * scale;
+    // The parts of a strand of a file share a frame of the film strip.
+    whole framed = STRAND_SHAPES ? drawn_bits(strands, u, DRAWN_KEY) : number;
+    colour = (colour & 0xffffff) | (film_frame(layers, layer, framed) << 24);
     real4 part[4] = {{root.x, root.y, root.z, joint.x}, {joint.y, joint.z, tip.x, tip.y},
                      {tip.z, radius, bits_as_real(colour), joint_height}, {tip_height, steady.x, steady.y, steady.z}};
     const int parts = 4;
@@ -174,8 +202,18 @@ CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TAB
     real4 part[3] = {{root.x, root.y, root.z, joint.x}, {joint.y, joint.z, tip.x, tip.y}, {tip.z, radius, bits_as_real(colour), REAL(0.0f)}};
     const int parts = 3;
 #endif
-    for (int i = 0; i < parts; ++i) store_rows_apart(part[i], row + (size_t)u * (LANES * STRAND_ROW) + 4 * i, STRAND_ROW);
-    Blocks touched = blocks_of(p, root, joint, tip, radius);
+    __global float *rows = row + (size_t)u * (LANES * ROW_FLOATS);
+    for (int i = 0; i < parts; ++i) store_rows_apart(part[i], rows + 4 * i, ROW_FLOATS);
+#if STRAND_SHAPES
+#if STRAND_LIGHTS
+    real root_height = dot3(curve.normal, sub3(curve.root, key.root)) * scale;
+#else
+    real root_height = REAL(0.0f);
+#endif
+    real4 shape = {from, to, width_end, root_height};
+    store_rows_apart(shape, rows + 16, ROW_FLOATS);
+#endif
+    Blocks touched = blocks_of(p, root, joint, tip, widest);
     int key_of[LANES], number_of[LANES], first_of[LANES], last_of[LANES];
     int count = squeeze(sort_key, drawn, key_of);
     squeeze(number, drawn, number_of);
@@ -190,7 +228,8 @@ CALLED void keys_of_run(const DrawParams *restrict p, TABLE(scalar) strands, TAB
   live[run] = listed;
 }
 
-__kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
-                          __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves) {
-  keys_of_run(&p, strands, keys, layers, row, blocks, pair, live, curves, (int)get_global_id(0));
+// shapes: see params.h.
+__kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(scalar) shapes, TABLE(float) keys, TABLE(int) layers,
+                          __global float *row, __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves) {
+  keys_of_run(&p, strands, shapes, keys, layers, row, blocks, pair, live, curves, (int)get_global_id(0));
 }

@@ -28,7 +28,8 @@ typedef struct {
   int block_side;              // BLOCK_SIDE of the kernel that draws the tiles
   int chunks;                  // number of chunks of the sorted list; one work-item of strand_bin_count counts one chunk
   // Look (harness/strands/drawing/drawing.hpp).
-  int segments;
+  int segments;                // greatest number of segments of a curve
+  int strand_segments;         // number of segments of a whole strand of a file, over all its curves
   int own_segments;            // 1: each strand has as many segments as it needs, at most `segments`
   float taper, opacity;
   float light[3];              // unit vector towards the key light in camera axes: right, down, forward
@@ -58,6 +59,16 @@ enum { DRAWN_KEY, DRAWN_WEIGHT = 3, DRAWN_LENGTH = 5, DRAWN_WIDTH, DRAWN_COLOUR,
 #define STRAND_STYLES 1
 #endif
 
+// 1: the curves are parts of strands of a file.
+#ifndef STRAND_SHAPES
+#define STRAND_SHAPES 0
+#endif
+
+// Columns of the table of the curves' shapes: the part of the strand, from 0 (root) to 1 (tip); the width at the end of the
+// part divided by that at its start; and the control points at rest, from those points of the straight strand that are at
+// the start, in the middle and at the end of the part, in R. Kernels that are built with STRAND_SHAPES 0 do not read it.
+enum { SHAPE_FROM, SHAPE_TO, SHAPE_WIDTH_END, SHAPE_OFFSET, SHAPE_COLUMNS = SHAPE_OFFSET + 9 };
+
 // Floats in the record of a key strand. Vectors are in the object's frame: position of the root in R, normal of the skin,
 // the directions u and w of the two segments, and the direction d of the strand at rest; one unused float.
 #define KEY_RECORD 16
@@ -78,6 +89,10 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 // light that does not change along the strand: ambient light, fill lights and rim light. Kernels that are built with
 // STRAND_LIGHTS 0 do not use the last five floats.
 #define STRAND_ROW 16
+// With STRAND_SHAPES 1, a row has four more floats: the start and the end of the part, the width at its end divided by that
+// at its start, and the height of its start above the skin, divided as the other heights are.
+#define SHAPED_ROW 20
+#define ROW_FLOATS (STRAND_SHAPES ? SHAPED_ROW : STRAND_ROW)
 
 // 1: the look has fill lights, a rim light, a shadow of the skin, a film strip, or fur layers with looks of their own.
 #ifndef STRAND_LIGHTS

@@ -258,7 +258,7 @@ static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film
       whole number = load_list(list + next);
       truth open = lane_numbers() < WHOLE(count - next);
       if (tile->closed.any != 0) open = open && is_open(tile, load_spots(spot + next));
-      if (next + LANES <= count) read_soon(rows, STRAND_ROW * number);
+      if (next + LANES <= count) read_soon(rows, ROW_FLOATS * number);
       taken += squeeze(number, open, strand + taken);
       next += LANES;
     }

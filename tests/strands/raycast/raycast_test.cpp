@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "harness/strands/reference/drawing.hpp"
@@ -37,7 +38,7 @@ TEST(Raycast, TheTaperNarrowsAStrand) {
   RaycastScene scene = scene_at(200, 100, {0, 0, 4});
   const std::vector<DrawnStrand> strand{straight({0, -0.5f, 0}, {0, 0.5f, 0}, 0.1f)};
   const double whole = covered(raycast(scene, strand, {.samples = 8}).picture);
-  scene.taper = [](std::uint32_t) { return 1.0f; };
+  scene.radius = [](std::uint32_t, float t) { return 0.05f * (1 - t); };
   EXPECT_NEAR(covered(raycast(scene, strand, {.samples = 8}).picture), 0.5 * whole, 0.03 * whole);
 }
 
@@ -80,6 +81,21 @@ TEST(Raycast, EachStrandOfARowIsEnteredOnce) {
   EXPECT_EQ(raycast(scene, strands, {.cones = 7, .samples = 1}).hits, 20u);
 }
 
+TEST(Raycast, TheCurvesOfAStrandAreEnteredOnce) {
+  const RaycastScene scene = scene_at(9, 9, {0, 0, 4}, {glm::vec3(1), 0.5f});
+  std::vector<DrawnStrand> curves{straight({0, -1, 0}, {0, 0, 0}, 1), straight({0, 0, 0}, {0, 1, 0}, 1)};
+  const auto most = [&] {
+    float alpha = 0;
+    for (const glm::vec4& pixel : raycast(scene, curves, {.cones = 4, .samples = 1}).picture.pixel)
+      alpha = std::max(alpha, pixel.w);
+    return alpha;
+  };
+  EXPECT_EQ(most(), 0.75f) << "two strands that meet";
+  curves[0].part = StrandPart{.from = 0, .to = 0.5f, .strand = 7};
+  curves[1].part = StrandPart{.from = 0.5f, .to = 1, .strand = 7};
+  EXPECT_EQ(most(), 0.5f) << "one strand";
+}
+
 TEST(Raycast, TheSkinHidesWhatIsBehindIt) {
   auto skin = std::make_shared<Mesh>();
   skin->position = {{-5, -5, 0}, {5, -5, 0}, {0, 5, 0}};
@@ -105,7 +121,7 @@ TEST(Raycast, HasTheCoverageOfTheReference) {
   look.segments = 7;
   look.opacity = 1;
   look.taper = 0.5f;
-  scene.taper = [](std::uint32_t) { return 0.5f; };
+  scene.radius = [](std::uint32_t, float t) { return 0.003f * (1 - 0.5f * t); };
   scene.strand_paint = [](std::uint32_t, float t) { return Paint{glm::vec3(0.5f), 1 - t * t * t}; };
   std::vector<DrawnStrand> strands;
   std::vector<Entry> order;
