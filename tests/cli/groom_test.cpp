@@ -175,7 +175,7 @@ TEST_F(Groom, ContradictionsAreRefused) {
   const Outcome alone =
       done("render --pipeline strands --size 160x120 --set model=none --set strands.back_facing=drawn " +
            file + "-o out.png");
-  expect_has(alone.err, "fur.obj: 1 strands of 3 points");
+  expect_has(alone.err, "fur.obj: 1 strand of 3 points");
   expect_refused(pelage("render --size 160x120 --set model=none " + file + "-o out.png"), "no triangles",
                  true);
 }

@@ -69,6 +69,7 @@ TEST(Hair, HasItsArraysAndItsDefaults) {
   lines = hair(HairText{.width = 0.5f, .colour = {1, 0.5f, 0}}.with({2, 1}, {five_points}));
   EXPECT_EQ(lines.width, std::vector<float>(5, 0.5f));
   EXPECT_EQ(lines.colour, std::vector<glm::vec3>(5, glm::vec3(1, 0.5f, 0)));
+  EXPECT_EQ(hair(HairText{.segments = 0xffffffff}.with({2, 1}, {five_points})).count.size(), 2u);
   const std::vector<float> four(five_points.begin(), five_points.begin() + 12);
   lines = hair(HairText{.points = 4, .arrays = 2, .segments = 1}.with({}, {four}));
   EXPECT_EQ(lines.count, (std::vector<std::uint32_t>{2, 2}));
@@ -110,6 +111,8 @@ TEST(Hair, RefusesWhatItCannotRead) {
   expect_refusal(plain.with({2, 1}, {bad}), "hair", "a coordinate of point 2 is nan");
   expect_refusal(HairText{.arrays = 7}.with({2, 1}, {five_points, {1, 1, -1, 1, 1}}), "hair",
                  "the width of point 2 is -1");
+  expect_refusal(HairText{.width = NAN}.with({2, 1}, {five_points}), "hair", "the width of point 0 is nan");
+  expect_refusal(HairText{.width = -1}.with({2, 1}, {five_points}), "hair", "the width of point 0 is -1");
   expect_refusal(HairText{.arrays = 19}.with({2, 1}, {five_points, std::vector<float>(15, 255)}), "hair",
                  "a colour of point 0 is 255; it must be from 0 to 1");
   expect_refusal(

@@ -79,6 +79,7 @@ Polylines parse_hair(std::string_view bytes, const std::string& name) {
     throw InputError(fmt::format("{}: no HAIR file: it must begin with HAIR and a header of {} bytes", name,
                                  sizeof header));
   std::memcpy(static_cast<void*>(&header), bytes.data(), sizeof header);
+  if (header.arrays & hair::has_segments) header.segments = 0;  // unused, and may be anything
   if (header.strands < 1 || header.strands > most_strands || header.points > most_points ||
       header.segments > most_points)
     throw InputError(fmt::format(
@@ -95,7 +96,7 @@ Polylines parse_hair(std::string_view bytes, const std::string& name) {
   need_values(lines.point, -most, most, "a coordinate", name);
   if (header.arrays & hair::has_widths)
     lines.width = arrays.next<float>(points, "widths");
-  else if (header.width > 0)
+  else if (header.width != 0)
     lines.width.assign(points, header.width);
   need_values(lines.width, 0, most, "the width", name);
   bool see_through = header.transparency != 0;

@@ -59,8 +59,9 @@ std::string obj_of(const Polylines& lines, const std::string& note) {
 std::string describe(const Polylines& lines) {
   if (lines.count.empty()) return "no strands";
   const auto [least, most] = std::ranges::minmax(lines.count);
-  return least == most ? fmt::format("{} strands of {} points", lines.count.size(), least)
-                       : fmt::format("{} strands of {} to {} points", lines.count.size(), least, most);
+  const std::size_t strands = lines.count.size();
+  const std::string points = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
+  return fmt::format("{} {} of {} points", strands, strands == 1 ? "strand" : "strands", points);
 }
 
 void check_polylines_path(const std::filesystem::path& path) {
