@@ -298,7 +298,7 @@ int reproduce(const ReproduceOptions& options) {
     if (code == no_device || code == 130 || code == 143) return code;  // all other steps would end likewise
     if (!begun)
       add_length(folder / "lengths.csv", options.preset, steps[i].experiment, seconds_since(from), speed);
-    if (code == 1 && (share_left(steps[i], folder) > 0 || has_failures(folder / steps[i].experiment)))
+    if (code <= 1 && (share_left(steps[i], folder) > 0 || has_failures(folder / steps[i].experiment)))
       notes.push_back(fmt::format("{}: some cases have no time", steps[i].experiment));
     if (code > 1)
       notes.push_back(fmt::format("{}: pelage run ended with code {}", steps[i].experiment, code));

@@ -119,5 +119,16 @@ TEST_F(Reproduce, NamesWhatFailed) {
              {"(b) a torus: not drawn", "the picture &quot;a torus&quot; is missing"});
 }
 
+// A page that is made again says so again.
+TEST_F(Reproduce, NamesExperimentsWithFailedChecks) {
+  folder.write("data/experiments/tori.toml",
+               folder.read("data/experiments/tori.toml") + "\n[require]\ntriangles = 1e9\n");
+  for (const char* where : {"-o out", "--resume out"}) {
+    const Outcome outcome = pelage(fmt::format("reproduce --preset smoke {}", where), data);
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    expect_has(folder.read("out/page/index.html"), "tori: some cases have no time");
+  }
+}
+
 }  // namespace
 }  // namespace pelage::cli
