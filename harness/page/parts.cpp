@@ -103,7 +103,7 @@ std::string intervals_text(const std::vector<claims::Judged>& judged) {
   for (const claims::Judged& one : judged)
     if (one.value && one.processes > 0 && one.processes < std::size_t(enough))
       return fmt::format(
-          " Where fewer than {} processes measured a case, these intervals assume that times vary by {:g}% between processes; those of the tables do not.",
+          " Where fewer than {} processes measured a case, intervals assume that times vary by {:g}% between processes.",
           enough, 100 * one.claim.process_spread);
   return {};
 }
@@ -113,7 +113,7 @@ std::string intervals_text(const std::vector<claims::Judged>& judged) {
 void add_claims(Body& body, const std::vector<claims::Judged>& judged, const char* title) {
   if (judged.empty()) return;
   body.heading(title, 2);
-  body.remark("The claims are in our words; the rows of this page decide." + intervals_text(judged));
+  body.remark("The claims are in our words." + intervals_text(judged));
   body.add(
       "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>measured</th><th>limit</th><th>source</th></tr></thead>\n<tbody>\n");
   for (const claims::Judged& one : judged) {

@@ -282,6 +282,8 @@ class Page(unittest.TestCase):
         text, back = colours()
         self.assertGreater(back, text + 400)
         self.show(scheme="dark")
+        plot = self.one("figure.plot > svg")
+        self.assertIn("invert", plot.value_of_css_property("filter"), "a dark page inverts its plots")
         text, back = colours()
         self.assertGreater(text, back + 400)
 
