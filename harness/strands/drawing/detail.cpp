@@ -49,7 +49,7 @@ Spread spread_of(const std::vector<KeyedStrand>& strands, const Mesh& mesh) {
 }
 
 float overlap_factor(const Camera& camera, const Look& look, const Spread& spread) {
-  if (!(look.fraction < 1) || spread.strands == 0) return 1;
+  if (!(look.fraction < 1) || spread.strands == 0 || !(spread.area > 0)) return 1;
   const double pixel = pixel_at_origin(camera), width = double(spread.width) * (1 - double(look.taper) / 2);
   const auto missing = [&](double fraction) {
     return 1 + double(look.opacity) * missing_overlap(fraction * double(spread.strands), width / fraction,

@@ -36,7 +36,7 @@ Spread spread_of(const std::vector<KeyedStrand>& strands, const Mesh& mesh);
 /// Returns the factor of all widths with which a picture of a part of the strands has nearly the same mean
 /// coverage as a picture of all strands (docs/strands.md, section "Level of detail"): 1 if look.fraction is
 /// 1, otherwise less, because the roots are blue noise, so that few wide strands overlap less than many thin
-/// strands. The function does not use look.width_factor.
+/// strands. Also 1 if there is no surface (spread.area is 0). The function does not use look.width_factor.
 float overlap_factor(const Camera& camera, const Look& look, const Spread& spread);
 
 /// Returns the part of the strands that is drawn if their mean width at the roots must be at least
