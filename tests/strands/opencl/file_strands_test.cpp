@@ -8,6 +8,7 @@
 
 #include "harness/compare/strands.hpp"
 #include "harness/compare/tolerances.hpp"
+#include "harness/error.hpp"
 #include "harness/strands/opencl/strands.hpp"
 #include "harness/strands/reference/drawing.hpp"
 #include "tests/strands/support/strands.hpp"
