@@ -45,8 +45,7 @@ std::vector<float> put_on(const std::shared_ptr<const Mesh>& mesh, PlacedStrands
   const SurfaceSearch search(mesh);
   const Skin skin = weld(*mesh);
   Polylines& lines = strands.lines;
-  std::vector<std::size_t> first(lines.count.size(), 0);
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] = first[i - 1] + lines.count[i - 1];
+  const std::vector<std::size_t> first = first_points(lines);
   std::vector<float> moved(first.size());
   for_each_index(first.size(), 64, [&](std::size_t i) {
     const glm::vec3 root = lines.point[first[i]];
@@ -120,9 +119,9 @@ std::shared_ptr<const Mesh> with_strands(const Scene& scene, Polylines polylines
           "the strands were moved so that their roots are on the surface, by at most {:.2g} R", most));
   } else {
     move(lines, around(lines, rotation_matrix(glm::dvec3(rotation_of(scene.mesh)))));
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < count; first += lines.count[i++]) {
-      const glm::dvec3 step = glm::dvec3(lines.point[first + 1]) - glm::dvec3(lines.point[first]);
+    const std::vector<std::size_t> first = first_points(lines);
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec3 step = glm::dvec3(lines.point[first[i] + 1]) - glm::dvec3(lines.point[first[i]]);
       strands->normal[i] = glm::length(step) > 0 ? glm::vec3(glm::normalize(step)) : glm::vec3(0, 1, 0);
     }
     result->name = no_model;

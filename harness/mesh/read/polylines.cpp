@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "harness/atomic_file.hpp"
@@ -55,6 +56,12 @@ std::string obj_of(const Polylines& lines, const std::string& note) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> first_points(const Polylines& lines) {
+  std::vector<std::size_t> first(lines.count.size());
+  std::exclusive_scan(lines.count.begin(), lines.count.end(), first.begin(), std::size_t(0));
+  return first;
+}
 
 std::string describe(const Polylines& lines) {
   if (lines.count.empty()) return "no strands";

@@ -19,6 +19,9 @@ struct Polylines {
   std::vector<std::string> notes;  ///< what the reader left out, one line each
 };
 
+/// Returns the index of the first point of each polyline.
+std::vector<std::size_t> first_points(const Polylines& lines);
+
 /// Returns a description such as "300 strands of 2 to 40 points".
 std::string describe(const Polylines& lines);
 

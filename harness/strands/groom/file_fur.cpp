@@ -148,8 +148,7 @@ void add_strand(const FileStrand& strand, const StrandLayerScene& layer, float f
 Fur fur_of_file(const PlacedStrands& placed, const StrandsScene& strands, const CoatTexture& coat) {
   const StrandLayerScene& layer = strands.layers.front();
   const Polylines& lines = placed.lines;
-  std::vector<std::size_t> first(lines.count.size(), 0);
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] = first[i - 1] + lines.count[i - 1];
+  const std::vector<std::size_t> first = first_points(lines);
   const Random order(layer.seed, file_order_stream), brightness(layer.seed, file_brightness_stream);
   std::vector<float> place;
   for (std::size_t i = 0; i < first.size(); ++i) place.push_back(float(order.uniform(i)));

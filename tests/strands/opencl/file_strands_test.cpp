@@ -60,10 +60,11 @@ TEST_F(FileStrands, AtRestAreTheSplinesOfTheirPoints) {
   const std::vector<DrawnStrand> curves = reference_curves(*in, in->fur.keys);
   const Polylines& lines = in->mesh->strands->lines;
   std::map<std::array<float, 3>, std::size_t> first;  // by root
-  for (std::size_t i = 0, at = 0; i < lines.count.size(); at += lines.count[i++])
-    first[{lines.point[at].x, lines.point[at].y, lines.point[at].z}] = i;
-  std::vector<std::size_t> start(lines.count.size(), 0);
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] = start[i - 1] + lines.count[i - 1];
+  const std::vector<std::size_t> start = first_points(lines);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const glm::vec3 at = lines.point[start[i]];
+    first[{at.x, at.y, at.z}] = i;
+  }
   std::size_t compared = 0, piece = 0;
   for (const DrawnStrand& curve : curves) {
     ASSERT_TRUE(curve.part);
